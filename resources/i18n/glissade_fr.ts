@@ -2263,4883 +2263,6 @@
     </message>
 </context>
 <context>
-    <name>Attributes</name>
-    <message>
-        <source>Complexity</source>
-        <translation>Complexité</translation>
-    </message>
-    <message>
-        <source>Cluttered</source>
-        <translation>Encombré</translation>
-    </message>
-    <message>
-        <source>Class</source>
-        <translation>Classe</translation>
-    </message>
-    <message>
-        <source>Mass</source>
-        <translation>Masse</translation>
-    </message>
-    <message>
-        <source>Fragile</source>
-        <translation>Fragile</translation>
-    </message>
-    <message>
-        <source>Base</source>
-        <translation>Base</translation>
-    </message>
-    <message>
-        <source>Stays</source>
-        <translation>Reste en place</translation>
-    </message>
-    <message>
-        <source>Goes with</source>
-        <translation>Sort avec</translation>
-    </message>
-    <message>
-        <source>Goes before</source>
-        <translation>Sort avant</translation>
-    </message>
-    <message>
-        <source>Needs tool</source>
-        <translation>Outil nécessaire</translation>
-    </message>
-    <message>
-        <source>Class of the body, whose attributes it has: screw, seal, base_part.</source>
-        <translation>Classe du corps, dont il reprend les attributs&#xa0;: screw, seal, base_part.</translation>
-    </message>
-    <message>
-        <source>Mass of the body. 0: by its volume and density.</source>
-        <translation>Masse du corps. 0&#xa0;: d&apos;après son volume et sa masse volumique.</translation>
-    </message>
-    <message>
-        <source>The body leaves as early as it can, and is put in as late as it can.</source>
-        <translation>Le corps sort aussi tôt que possible, et il est monté aussi tard que possible.</translation>
-    </message>
-    <message>
-        <source>The assembly begins with the body: it does not leave.</source>
-        <translation>L&apos;assemblage commence par ce corps&#xa0;: il ne sort pas.</translation>
-    </message>
-    <message>
-        <source>The body does not leave.</source>
-        <translation>Le corps ne sort pas.</translation>
-    </message>
-    <message>
-        <source>Bodies that leave together with this one, with commas.</source>
-        <translation>Corps qui sortent avec celui-ci, séparés par des virgules.</translation>
-    </message>
-    <message>
-        <source>Bodies that leave after this one, with commas.</source>
-        <translation>Corps qui sortent après celui-ci, séparés par des virgules.</translation>
-    </message>
-    <message>
-        <source>Which tool turns the body: by_shape, none, or one of the tools.</source>
-        <translation>Outil qui fait tourner le corps&#xa0;: by_shape, none, ou l&apos;un des outils.</translation>
-    </message>
-    <message>
-        <source>Narrowness</source>
-        <translation>Étroitesse</translation>
-    </message>
-    <message>
-        <source>Shape</source>
-        <translation>Forme</translation>
-    </message>
-    <message>
-        <source>Compatibility</source>
-        <translation>Compatibilité</translation>
-    </message>
-    <message>
-        <source>Forbidden</source>
-        <translation>Interdit</translation>
-    </message>
-    <message>
-        <source>Preference</source>
-        <translation>Préférence</translation>
-    </message>
-    <message>
-        <source>Mobility</source>
-        <translation>Mobilité</translation>
-    </message>
-    <message>
-        <source>How hard the place is to cross: 1 for the widest, one more each time the width halves.</source>
-        <translation>Difficulté de traversée du lieu&#xa0;: 1 pour les plus larges, un de plus à chaque division de la largeur par deux.</translation>
-    </message>
-    <message>
-        <source>Mobile bodies are in the place.</source>
-        <translation>Des corps mobiles sont dans le lieu.</translation>
-    </message>
-    <message>
-        <source>Diameter of the largest ball that fits at the widest spot.</source>
-        <translation>Diamètre de la plus grande boule qui tient à l&apos;endroit le plus large du lieu.</translation>
-    </message>
-    <message>
-        <source>Shape of the place&apos;s section, as the objects&apos; shapes are called.</source>
-        <translation>Forme de la section du lieu, avec les mêmes noms que les formes des objets.</translation>
-    </message>
-    <message>
-        <source>Whether the object goes through: 0 not at all, from 0.5 on it fits, 1 with ease.</source>
-        <translation>Aptitude de l&apos;objet à passer&#xa0;: 0, il ne passe pas&#xa0;; à partir de 0,5, il passe&#xa0;; 1, il passe aisément.</translation>
-    </message>
-    <message>
-        <source>No path may lead through the place.</source>
-        <translation>Aucun chemin ne peut passer par le lieu.</translation>
-    </message>
-    <message>
-        <source>Ways through the place count this many times shorter.</source>
-        <translation>Les trajets par le lieu comptent pour autant de fois plus courts.</translation>
-    </message>
-    <message>
-        <source>Static bodies shape the places; mobile ones clutter them.</source>
-        <translation>Les corps statiques délimitent les lieux&#xa0;; les corps mobiles les encombrent.</translation>
-    </message>
-    <message>
-        <source>What the body is shaped like.</source>
-        <translation>Forme du corps.</translation>
-    </message>
-</context>
-<context>
-    <name>Devices</name>
-    <message>
-        <source>Keyboard</source>
-        <translation>Clavier</translation>
-    </message>
-    <message>
-        <source>Simulated expert</source>
-        <translation>Expert simulé</translation>
-    </message>
-    <message>
-        <source>Simulated operator</source>
-        <translation>Opérateur simulé</translation>
-    </message>
-    <message>
-        <source>Simulated novice</source>
-        <translation>Novice simulé</translation>
-    </message>
-    <message>
-        <source>6D mouse</source>
-        <translation>Souris 6D</translation>
-    </message>
-    <message>
-        <source>Gamepad</source>
-        <translation>Manette</translation>
-    </message>
-    <message>
-        <source>By hand</source>
-        <translation>À la main</translation>
-    </message>
-    <message>
-        <source>Simulated haptic hand</source>
-        <translation>Main haptique simulée</translation>
-    </message>
-    <message>
-        <source>A person: the keys of the window.</source>
-        <translation>Une personne&#xa0;: les touches de la fenêtre.</translation>
-    </message>
-    <message>
-        <source>A person: a 3Dconnexion mouse.</source>
-        <translation>Une personne&#xa0;: une souris 3Dconnexion.</translation>
-    </message>
-    <message>
-        <source>A person: a game controller.</source>
-        <translation>Une personne&#xa0;: une manette de jeu.</translation>
-    </message>
-    <message>
-        <source>Follows the way-points fast and exactly.</source>
-        <translation>Suit les points de passage vite et avec précision.</translation>
-    </message>
-    <message>
-        <source>Follows the way-points.</source>
-        <translation>Suit les points de passage.</translation>
-    </message>
-    <message>
-        <source>Follows the way-points, slow and unsure.</source>
-        <translation>Suit les points de passage, lentement et avec hésitation.</translation>
-    </message>
-    <message>
-        <source>Draws the object along the way-points and feels the obstacles.</source>
-        <translation>Tire l&apos;objet le long des points de passage et perçoit les obstacles.</translation>
-    </message>
-    <message>
-        <source>Left controller</source>
-        <translation>Manette gauche</translation>
-    </message>
-    <message>
-        <source>Right controller</source>
-        <translation>Manette droite</translation>
-    </message>
-    <message>
-        <source>A person: keys, 6D mouse, gamepad and the controllers of a headset together.</source>
-        <translation>Une personne&#xa0;: clavier, souris 6D, manette de jeu et manettes d&apos;un casque ensemble.</translation>
-    </message>
-    <message>
-        <source>A person with a headset: its left controller.</source>
-        <translation>Une personne avec un casque&#xa0;: sa manette gauche.</translation>
-    </message>
-    <message>
-        <source>A person with a headset: its right controller.</source>
-        <translation>Une personne avec un casque&#xa0;: sa manette droite.</translation>
-    </message>
-</context>
-<context>
-    <name>Diagnostics</name>
-    <message>
-        <source>the milestone is inside of &apos;%1&apos;, which is forbidden</source>
-        <translation>le jalon est à l&apos;intérieur de «&#xa0;%1&#xa0;», qui est interdit</translation>
-    </message>
-    <message>
-        <source>the milestone is in collision with &apos;%1&apos;</source>
-        <translation>le jalon est en collision avec «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>Put it where the object is free, or remove it.</source>
-        <translation>Placez-le là où l&apos;objet est libre, ou supprimez-le.</translation>
-    </message>
-    <message>
-        <source>the path that was found leads through &apos;%1&apos;, which was forbidden meanwhile</source>
-        <translation>le chemin trouvé passe par «&#xa0;%1&#xa0;», interdit entre-temps</translation>
-    </message>
-    <message>
-        <source>Start again.</source>
-        <translation>Relancez le calcul.</translation>
-    </message>
-    <message>
-        <source>the reference point is inside of &apos;%1&apos;, which is forbidden</source>
-        <translation>le point de référence est à l&apos;intérieur de «&#xa0;%1&#xa0;», qui est interdit</translation>
-    </message>
-    <message>
-        <source>the reference point lies on the boundary of &apos;%1&apos;, which is forbidden, or within the margin of %2 m</source>
-        <translation>le point de référence est sur le bord de «&#xa0;%1&#xa0;», qui est interdit, ou dans la marge de %2 m</translation>
-    </message>
-    <message>
-        <source>the milestone lies on the boundary of &apos;%1&apos;, which is forbidden, or within the margin of %2 m</source>
-        <translation>le jalon est sur le bord de «&#xa0;%1&#xa0;», qui est interdit, ou dans la marge de %2 m</translation>
-    </message>
-    <message>
-        <source>Allow the place again, or move the %1 out of it.</source>
-        <translation>Autorisez de nouveau le lieu, ou déplacez-en l&apos;élément&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>Allow one of these places again, or raise the samples a step.</source>
-        <translation>Autorisez de nouveau un de ces lieux, ou augmentez les échantillons par étape.</translation>
-    </message>
-    <message>
-        <source>forbids a place that is not there: its point lies in no place and near none</source>
-        <translation>interdit un lieu qui n&apos;existe pas&#xa0;: son point n&apos;est dans aucun lieu ni près d&apos;aucun</translation>
-    </message>
-    <message>
-        <source>Forbid the place where it is now, or remove this edit.</source>
-        <translation>Interdisez le lieu là où il est maintenant, ou supprimez cette modification.</translation>
-    </message>
-    <message>
-        <source>a forbidden place</source>
-        <translation>un lieu interdit</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; has a demanded motion in a direction that is forbidden to it</source>
-        <translation>«&#xa0;%1&#xa0;» a un mouvement exigé dans une direction qui lui est interdite</translation>
-    </message>
-    <message>
-        <source>Remove one of the two demands.</source>
-        <translation>Supprimez l&apos;une des deux exigences.</translation>
-    </message>
-    <message>
-        <source>the motion that &apos;%1&apos; keeps begins in the direction that is to be forbidden</source>
-        <translation>le mouvement que «&#xa0;%1&#xa0;» garde commence dans la direction à interdire</translation>
-    </message>
-    <message>
-        <source>the motion begins in a direction that is forbidden to &apos;%1&apos;</source>
-        <translation>le mouvement commence dans une direction interdite à «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is to leave before &apos;%2&apos;</source>
-        <translation>«&#xa0;%1&#xa0;» doit sortir avant «&#xa0;%2&#xa0;»</translation>
-    </message>
-    <message>
-        <source>Remove the earlier demand, or leave out the new one.</source>
-        <translation>Supprimez l&apos;exigence précédente, ou renoncez à la nouvelle.</translation>
-    </message>
-    <message>
-        <source>is not a box</source>
-        <translation>n&apos;est pas une boîte</translation>
-    </message>
-    <message>
-        <source>Give six coordinates: the least x, y and z, then the largest.</source>
-        <translation>Donnez six coordonnées&#xa0;: les plus petits x, y et z, puis les plus grands.</translation>
-    </message>
-    <message>
-        <source>is missing, so that the file does not say where the forbidden places are</source>
-        <translation>manque, si bien que le fichier ne dit pas où sont les lieux interdits</translation>
-    </message>
-    <message>
-        <source>is not where the forbidden places are</source>
-        <translation>n&apos;est pas là où sont les lieux interdits</translation>
-    </message>
-    <message>
-        <source>Write it with glissade-cli info --save-regions, or save the scenario in the window.</source>
-        <translation>Écrivez-le avec glissade-cli info --save-regions, ou enregistrez le scénario dans la fenêtre.</translation>
-    </message>
-    <message>
-        <source>the bound of the swept volume needs more than 4 GiB</source>
-        <translation>la borne du volume balayé demande plus de 4 Gio</translation>
-    </message>
-    <message>
-        <source>the object penetrates &apos;%1&apos;</source>
-        <translation>l&apos;objet pénètre dans «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>the object is %1 m from &apos;%2&apos;, nearer than the required clearance of %3 m</source>
-        <translation>l&apos;objet est à %1 m de «&#xa0;%2 », moins que le jeu exigé de %3 m</translation>
-    </message>
-    <message>
-        <source>Move the start away or lower the required clearance.</source>
-        <translation>Éloignez le départ, ou réduisez le jeu exigé.</translation>
-    </message>
-    <message>
-        <source>Move the goal away or lower the required clearance.</source>
-        <translation>Éloignez le but, ou réduisez le jeu exigé.</translation>
-    </message>
-    <message>
-        <source>lies outside the workspace bounds</source>
-        <translation>est hors des limites de l&apos;espace de travail</translation>
-    </message>
-    <message>
-        <source>Enlarge the workspace or move the start inside.</source>
-        <translation>Agrandissez l&apos;espace de travail, ou placez-y le départ.</translation>
-    </message>
-    <message>
-        <source>Enlarge the workspace or move the goal inside.</source>
-        <translation>Agrandissez l&apos;espace de travail, ou placez-y le but.</translation>
-    </message>
-    <message>
-        <source>Enlarge the workspace by the size of the object on one side at least.</source>
-        <translation>Agrandissez l&apos;espace de travail de la taille de l&apos;objet, d&apos;un côté au moins.</translation>
-    </message>
-    <message>
-        <source>no direct motion is free</source>
-        <translation>aucun mouvement direct n&apos;est libre</translation>
-    </message>
-    <message>
-        <source>Choose a planner that searches.</source>
-        <translation>Choisissez une stratégie qui cherche.</translation>
-    </message>
-    <message>
-        <source>strategy G found no path within its limit of samples</source>
-        <translation>la stratégie G n&apos;a trouvé aucun chemin dans sa limite d&apos;échantillons</translation>
-    </message>
-    <message>
-        <source>there is no such planner</source>
-        <translation>cette stratégie n&apos;existe pas</translation>
-    </message>
-    <message>
-        <source>there is no path to export</source>
-        <translation>il n&apos;y a pas de chemin à exporter</translation>
-    </message>
-    <message>
-        <source>there is no path to report</source>
-        <translation>il n&apos;y a pas de chemin dont faire le rapport</translation>
-    </message>
-    <message>
-        <source>there is no path to film</source>
-        <translation>il n&apos;y a pas de chemin à filmer</translation>
-    </message>
-    <message>
-        <source>ffmpeg is needed for films, and is not installed</source>
-        <translation>ffmpeg est nécessaire pour les films, et n&apos;est pas installé</translation>
-    </message>
-    <message>
-        <source>Install the package ffmpeg, or give a name that ends with .png for a series of pictures.</source>
-        <translation>Installez le paquet ffmpeg, ou donnez un nom qui finit par .png pour une série d&apos;images.</translation>
-    </message>
-    <message>
-        <source>ffmpeg could not write the film: %1</source>
-        <translation>ffmpeg n&apos;a pas pu écrire le film&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Check the folder, its free space, and that ffmpeg has the codecs libx264 and libvpx-vp9.</source>
-        <translation>Vérifiez le dossier, sa place libre, et la présence des codecs libx264 et libvpx-vp9 dans ffmpeg.</translation>
-    </message>
-    <message>
-        <source>films are not written in this format</source>
-        <translation>les films ne sont pas écrits dans ce format</translation>
-    </message>
-    <message>
-        <source>Choose one of: .mp4, .webm, .png.</source>
-        <translation>Choisissez parmi&#xa0;: .mp4, .webm, .png.</translation>
-    </message>
-    <message>
-        <source>Solve first.</source>
-        <translation>Cherchez d&apos;abord un chemin.</translation>
-    </message>
-    <message>
-        <source>Open its scenario first.</source>
-        <translation>Ouvrez d&apos;abord son scénario.</translation>
-    </message>
-    <message>
-        <source>Stop the run first.</source>
-        <translation>Arrêtez d&apos;abord le calcul.</translation>
-    </message>
-    <message>
-        <source>a recording is shown</source>
-        <translation>un enregistrement est affiché</translation>
-    </message>
-    <message>
-        <source>Close the replay first.</source>
-        <translation>Fermez d&apos;abord la relecture.</translation>
-    </message>
-    <message>
-        <source>cannot be read</source>
-        <translation>ne peut pas être lu</translation>
-    </message>
-    <message>
-        <source>cannot be written</source>
-        <translation>ne peut pas être écrit</translation>
-    </message>
-    <message>
-        <source>does not exist</source>
-        <translation>n&apos;existe pas</translation>
-    </message>
-    <message>
-        <source>Correct the file.</source>
-        <translation>Corrigez le fichier.</translation>
-    </message>
-    <message>
-        <source>%1 more files of its parts are missing</source>
-        <translation>%1 autres fichiers de ses pièces manquent</translation>
-    </message>
-    <message>
-        <source>has its parts in other files, and none of them is there: %1 (looked for in &apos;%2&apos;)</source>
-        <translation>a ses pièces dans d&apos;autres fichiers, dont aucun n&apos;existe&#xa0;: %1 (cherchés dans «&#xa0;%2 »)</translation>
-    </message>
-    <message>
-        <source>Put the files there and load again, or export the product as one file.</source>
-        <translation>Placez-y les fichiers et rechargez, ou exportez le produit en un seul fichier.</translation>
-    </message>
-    <message>
-        <source>names &apos;%1&apos; for a part, which holds this file itself</source>
-        <translation>nomme pour une pièce le fichier «&#xa0;%1&#xa0;», qui contient le présent fichier</translation>
-    </message>
-    <message>
-        <source>Export the product as one file.</source>
-        <translation>Exportez le produit en un seul fichier.</translation>
-    </message>
-    <message>
-        <source>had %1 planar holes, which were closed as asked for; %2 holes are left open</source>
-        <translation>avait %1 trous plans, fermés comme demandé&#xa0;; %2 trous restent ouverts</translation>
-    </message>
-    <message>
-        <source>Look at them: what is behind a closed hole is solid.</source>
-        <translation>Vérifiez-les&#xa0;: ce qui est derrière un trou fermé est plein.</translation>
-    </message>
-    <message>
-        <source>is not a closed surface</source>
-        <translation>n&apos;est pas une surface fermée</translation>
-    </message>
-    <message>
-        <source>Being inside it is not seen as a collision; close its surface, or let planar holes be closed (--close-holes).</source>
-        <translation>Une position à l&apos;intérieur n&apos;est pas reconnue comme une collision&#xa0;; fermez sa surface, ou faites fermer les trous plans (--close-holes).</translation>
-    </message>
-    <message>
-        <source>edits cannot be saved automatically: %1</source>
-        <translation>les modifications ne peuvent pas être enregistrées automatiquement&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Save the scenario.</source>
-        <translation>Enregistrez le scénario.</translation>
-    </message>
-    <message>
-        <source>the film was cancelled</source>
-        <translation>le film a été annulé</translation>
-    </message>
-    <message>
-        <source>Start it again.</source>
-        <translation>Recommencez.</translation>
-    </message>
-    <message>
-        <source>another object moves now</source>
-        <translation>l&apos;objet n&apos;est plus le même</translation>
-    </message>
-    <message>
-        <source>the milestone would be in collision with &apos;%1&apos;</source>
-        <translation>le jalon serait en collision avec «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>Drop it where the object is free.</source>
-        <translation>Lâchez-le là où l&apos;objet est libre.</translation>
-    </message>
-    <message>
-        <source>the report of a path is written as .html or .pdf</source>
-        <translation>le rapport d&apos;un chemin s&apos;écrit en .html ou .pdf</translation>
-    </message>
-    <message>
-        <source>a swept volume is written as .stl or .glb</source>
-        <translation>un volume balayé s&apos;écrit en .stl ou .glb</translation>
-    </message>
-    <message>
-        <source>Give a file name with one of these endings.</source>
-        <translation>Donnez un nom de fichier avec l&apos;une de ces extensions.</translation>
-    </message>
-    <message>
-        <source>there is no run to save</source>
-        <translation>il n&apos;y a pas de calcul à enregistrer</translation>
-    </message>
-    <message>
-        <source>Start one first.</source>
-        <translation>Lancez d&apos;abord un calcul.</translation>
-    </message>
-    <message>
-        <source>there is no plan to write</source>
-        <translation>il n&apos;y a pas de plan à écrire</translation>
-    </message>
-    <message>
-        <source>Plan the sequence first.</source>
-        <translation>Planifiez d&apos;abord la séquence.</translation>
-    </message>
-    <message>
-        <source>Open the product first.</source>
-        <translation>Ouvrez d&apos;abord le produit.</translation>
-    </message>
-    <message>
-        <source>Choose a step of a single part.</source>
-        <translation>Choisissez une étape d&apos;une seule pièce.</translation>
-    </message>
-    <message>
-        <source>assembly plans are not written in this format</source>
-        <translation>les plans d&apos;assemblage ne s&apos;écrivent pas dans ce format</translation>
-    </message>
-    <message>
-        <source>Choose one of: %1</source>
-        <translation>Choisissez parmi&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Choose one of %1</source>
-        <translation>Choisissez parmi %1</translation>
-    </message>
-    <message>
-        <source>the scenario has changed since the study was made</source>
-        <translation>le scénario a changé depuis que l&apos;étude a été faite</translation>
-    </message>
-    <message>
-        <source>Put the old one back, or make the study again.</source>
-        <translation>Remettez l&apos;ancien scénario, ou refaites l&apos;étude.</translation>
-    </message>
-    <message>
-        <source>is a run of a sequence, which is not shown as a path</source>
-        <translation>est un essai de séquence, qui ne s&apos;affiche pas comme un chemin</translation>
-    </message>
-    <message>
-        <source>Open its scenario and plan the sequence with this seed.</source>
-        <translation>Ouvrez son scénario et planifiez la séquence avec cette graine.</translation>
-    </message>
-    <message>
-        <source>was not saved: another program has changed the file since it was read</source>
-        <translation>n&apos;a pas été enregistré&#xa0;: un autre programme a modifié le fichier depuis sa lecture</translation>
-    </message>
-    <message>
-        <source>was not saved: the file has been removed or renamed since it was read</source>
-        <translation>n&apos;a pas été enregistré&#xa0;: le fichier a été supprimé ou renommé depuis sa lecture</translation>
-    </message>
-    <message>
-        <source>Save under another name, or open the file again.</source>
-        <translation>Enregistrez sous un autre nom, ou ouvrez de nouveau le fichier.</translation>
-    </message>
-    <message>
-        <source>Save under another name.</source>
-        <translation>Enregistrez sous un autre nom.</translation>
-    </message>
-    <message>
-        <source>was saved, but %1</source>
-        <translation>a été enregistré, mais %1</translation>
-    </message>
-    <message>
-        <source>cannot be saved: %1</source>
-        <translation>ne peut pas être enregistré&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>out of memory</source>
-        <translation>mémoire insuffisante</translation>
-    </message>
-    <message>
-        <source>Close other programs or use coarser parts, then try again.</source>
-        <translation>Fermez d&apos;autres programmes ou prenez des pièces moins fines, puis réessayez.</translation>
-    </message>
-    <message>
-        <source>Try again. If it happens again, report it with the scenario and the seed.</source>
-        <translation>Réessayez. Si l&apos;erreur revient, signalez-la avec le scénario et la graine.</translation>
-    </message>
-    <message>
-        <source>the environment model was not finished</source>
-        <translation>le modèle de l&apos;environnement n&apos;a pas été terminé</translation>
-    </message>
-    <message>
-        <source>is flat</source>
-        <translation>est plat</translation>
-    </message>
-    <message>
-        <source>Give it a size.</source>
-        <translation>Donnez-lui une taille.</translation>
-    </message>
-    <message>
-        <source>Define it under /attributes, or remove it.</source>
-        <translation>Définissez-le sous /attributes, ou supprimez-le.</translation>
-    </message>
-    <message>
-        <source>Correct the id.</source>
-        <translation>Corrigez l&apos;identifiant.</translation>
-    </message>
-    <message>
-        <source>Export fewer triangles, split the file, or use a machine with more free memory.</source>
-        <translation>Exportez moins de triangles, découpez le fichier, ou utilisez une machine avec plus de mémoire libre.</translation>
-    </message>
-    <message>
-        <source>was not read to its end</source>
-        <translation>n&apos;a pas été lu jusqu&apos;au bout</translation>
-    </message>
-    <message>
-        <source>Read it again.</source>
-        <translation>Lisez-le de nouveau.</translation>
-    </message>
-    <message>
-        <source>Open it again.</source>
-        <translation>Ouvrez-le de nouveau.</translation>
-    </message>
-    <message>
-        <source>is of a kind that is not read (&apos;%1&apos;)</source>
-        <translation>est d&apos;un type qui n&apos;est pas lu («&#xa0;%1 »)</translation>
-    </message>
-    <message>
-        <source>is a building model (IFC), not a product</source>
-        <translation>est une maquette de bâtiment (IFC), pas un produit</translation>
-    </message>
-    <message>
-        <source>is not a STEP file (it does not begin with ISO-10303-21)</source>
-        <translation>n&apos;est pas un fichier STEP (il ne commence pas par ISO-10303-21)</translation>
-    </message>
-    <message>
-        <source>Export it as STEP AP214 or AP242.</source>
-        <translation>Exportez-le en STEP AP214 ou AP242.</translation>
-    </message>
-    <message>
-        <source>Export the part as STEP AP214 or AP242, not compressed and not as XML.</source>
-        <translation>Exportez la pièce en STEP AP214 ou AP242, sans compression ni XML.</translation>
-    </message>
-    <message>
-        <source>Correct the URDF file.</source>
-        <translation>Corrigez le fichier URDF.</translation>
-    </message>
-    <message>
-        <source>Correct the OMPL.app problem file.</source>
-        <translation>Corrigez le fichier de problème OMPL.app.</translation>
-    </message>
-    <message>
-        <source>Widen the workspace.</source>
-        <translation>Agrandissez l&apos;espace de travail.</translation>
-    </message>
-    <message>
-        <source>Switch fits on, put the object elsewhere, or check the parts and their unit.</source>
-        <translation>Activez les ajustements, placez l&apos;objet ailleurs, ou vérifiez les pièces et leur unité.</translation>
-    </message>
-    <message>
-        <source>Start again with another seed.</source>
-        <translation>Recommencez avec une autre graine.</translation>
-    </message>
-    <message>
-        <source>the rule is too long</source>
-        <translation>la règle est trop longue</translation>
-    </message>
-    <message>
-        <source>Use at most %1 characters.</source>
-        <translation>Utilisez au plus %1 caractères.</translation>
-    </message>
-    <message>
-        <source>Correct the rule: %1</source>
-        <translation>Corrigez la règle&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>has no last rule that always holds</source>
-        <translation>n&apos;a pas de dernière règle toujours vraie</translation>
-    </message>
-    <message>
-        <source>there is no local planner &apos;%1&apos;</source>
-        <translation>il n&apos;y a pas de planificateur local «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>OMPL&apos;s path is not certified: it touches or passes through an obstacle</source>
-        <translation>le chemin d&apos;OMPL n&apos;est pas certifié&#xa0;: il touche ou traverse un obstacle</translation>
-    </message>
-    <message>
-        <source>OMPL&apos;s planner was given no free start within the bounds</source>
-        <translation>le planificateur d&apos;OMPL n&apos;a pas de départ libre dans les bornes</translation>
-    </message>
-    <message>
-        <source>OMPL&apos;s planners need a free goal within the bounds, and there is none</source>
-        <translation>les planificateurs d&apos;OMPL ont besoin d&apos;un but libre dans les bornes, et il n&apos;y en a pas</translation>
-    </message>
-    <message>
-        <source>Widen the bounds, or give another goal.</source>
-        <translation>Élargissez les bornes, ou donnez un autre but.</translation>
-    </message>
-    <message>
-        <source>Widen the bounds.</source>
-        <translation>Élargissez les bornes.</translation>
-    </message>
-    <message>
-        <source>the path through the threads could not be certified</source>
-        <translation>le chemin à travers les filetages n&apos;a pas pu être certifié</translation>
-    </message>
-    <message>
-        <source>Require less clearance.</source>
-        <translation>Exigez moins de jeu.</translation>
-    </message>
-    <message>
-        <source>Edits are not saved automatically.</source>
-        <translation>Les modifications ne sont pas enregistrées automatiquement.</translation>
-    </message>
-    <message>
-        <source>expand to more than %1 rigid bodies</source>
-        <translation>donnent plus de %1 corps rigides</translation>
-    </message>
-    <message>
-        <source>Give the parts that matter, or fewer bodies made of the same file.</source>
-        <translation>Donnez les pièces utiles, ou moins de corps faits du même fichier.</translation>
-    </message>
-    <message>
-        <source>Check its pose, its size and the unit of its file.</source>
-        <translation>Vérifiez sa pose, sa taille et l&apos;unité de son fichier.</translation>
-    </message>
-    <message>
-        <source>Check the units of both, or give a smaller workspace.</source>
-        <translation>Vérifiez les unités des deux, ou donnez un espace de travail plus petit.</translation>
-    </message>
-    <message>
-        <source>is more than 1e10 times as large as the object</source>
-        <translation>est plus de 1e10 fois plus grand que l&apos;objet</translation>
-    </message>
-    <message>
-        <source>has changed since the scenario was saved</source>
-        <translation>a changé depuis l&apos;enregistrement du scénario</translation>
-    </message>
-    <message>
-        <source>Check the scenario and save it again.</source>
-        <translation>Vérifiez le scénario et enregistrez-le de nouveau.</translation>
-    </message>
-    <message>
-        <source>Export the part again.</source>
-        <translation>Exportez de nouveau la pièce.</translation>
-    </message>
-    <message>
-        <source>holds no triangle with three corners</source>
-        <translation>ne contient aucun triangle à trois sommets</translation>
-    </message>
-    <message>
-        <source>They have no area, so that no surface is missing.</source>
-        <translation>Leur aire est nulle&#xa0;: il ne manque aucune surface.</translation>
-    </message>
-    <message>
-        <source>the bodies have too many triangles for a GLB file (4 GiB)</source>
-        <translation>les corps ont trop de triangles pour un fichier GLB (4 Gio)</translation>
-    </message>
-    <message>
-        <source>Export the path in another format.</source>
-        <translation>Exportez le chemin dans un autre format.</translation>
-    </message>
-    <message>
-        <source>Make a scenario that has each part as a body: New from parts does so with STEP files.</source>
-        <translation>Faites un scénario où chaque pièce est un corps&#xa0;: Nouveau à partir de pièces le fait pour les fichiers STEP.</translation>
-    </message>
-    <message>
-        <source>does not fit the content: the file was edited outside of Glissade, or it is damaged</source>
-        <translation>ne correspond pas au contenu&#xa0;: le fichier a été modifié hors de Glissade, ou il est endommagé</translation>
-    </message>
-    <message>
-        <source>holds a number that is out of range</source>
-        <translation>contient un nombre hors limites</translation>
-    </message>
-    <message>
-        <source>Correct the number.</source>
-        <translation>Corrigez le nombre.</translation>
-    </message>
-    <message>
-        <source>Correct the text there.</source>
-        <translation>Corrigez le texte à cet endroit.</translation>
-    </message>
-    <message>
-        <source>is empty</source>
-        <translation>est vide</translation>
-    </message>
-    <message>
-        <source>Give a file with content.</source>
-        <translation>Donnez un fichier qui a un contenu.</translation>
-    </message>
-    <message>
-        <source>is not valid JSON</source>
-        <translation>n&apos;est pas du JSON valide</translation>
-    </message>
-    <message>
-        <source>has no ending that says in which format the path is to be written</source>
-        <translation>n&apos;a pas d&apos;extension qui indique le format du chemin</translation>
-    </message>
-    <message>
-        <source>the path holds no configuration</source>
-        <translation>le chemin ne contient aucune configuration</translation>
-    </message>
-    <message>
-        <source>holds no configuration</source>
-        <translation>ne contient aucune configuration</translation>
-    </message>
-    <message>
-        <source>Give a path.</source>
-        <translation>Donnez un chemin.</translation>
-    </message>
-    <message>
-        <source>Give the product that was planned.</source>
-        <translation>Donnez le produit qui a été planifié.</translation>
-    </message>
-    <message>
-        <source>is a scenario, which says itself which bodies it has</source>
-        <translation>est un scénario, qui indique lui-même ses corps</translation>
-    </message>
-    <message>
-        <source>names &apos;%1&apos;, which is no part of several solids</source>
-        <translation>nomme «&#xa0;%1&#xa0;», qui n&apos;est pas une pièce de plusieurs solides</translation>
-    </message>
-    <message>
-        <source>See &apos;glissade-cli info&apos; for the names.</source>
-        <translation>Les noms sont donnés par «&#xa0;glissade-cli info&#xa0;».</translation>
-    </message>
-    <message>
-        <source>holds one part of several solids: there is nothing to take apart</source>
-        <translation>contient une seule pièce de plusieurs solides&#xa0;: il n&apos;y a rien à démonter</translation>
-    </message>
-    <message>
-        <source>Give a product of several parts, or take it as its solids: --open %1.</source>
-        <translation>Donnez un produit de plusieurs pièces, ou prenez-le comme ses solides&#xa0;: --open %1.</translation>
-    </message>
-    <message>
-        <source>holds one body: there is nothing to take apart</source>
-        <translation>contient un seul corps&#xa0;: il n&apos;y a rien à démonter</translation>
-    </message>
-    <message>
-        <source>Give a product of several parts.</source>
-        <translation>Donnez un produit de plusieurs pièces.</translation>
-    </message>
-    <message>
-        <source>The run is not recorded on disk.</source>
-        <translation>Le calcul n&apos;est pas enregistré sur disque.</translation>
-    </message>
-    <message>
-        <source>the journal cannot be written: %1</source>
-        <translation>le journal ne peut pas être écrit&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>is damaged: %1</source>
-        <translation>est endommagé&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Use an undamaged copy.</source>
-        <translation>Utilisez une copie intacte.</translation>
-    </message>
-    <message>
-        <source>has a name that is not valid UTF-8, which a scenario file cannot hold</source>
-        <translation>a un nom qui n&apos;est pas de l&apos;UTF-8 valide, ce qu&apos;un fichier de scénario ne peut contenir</translation>
-    </message>
-    <message>
-        <source>Rename the file or its folder.</source>
-        <translation>Renommez le fichier ou son dossier.</translation>
-    </message>
-    <message>
-        <source>is a part file, and a scenario is needed</source>
-        <translation>est un fichier de pièce, et il faut un scénario</translation>
-    </message>
-    <message>
-        <source>is not in the file</source>
-        <translation>n&apos;est pas dans le fichier</translation>
-    </message>
-    <message>
-        <source>is the name of several parts</source>
-        <translation>est le nom de plusieurs pièces</translation>
-    </message>
-    <message>
-        <source>was interrupted</source>
-        <translation>a été interrompu</translation>
-    </message>
-    <message>
-        <source>was stopped while fits were searched</source>
-        <translation>a été arrêté pendant la recherche des ajustements</translation>
-    </message>
-    <message>
-        <source>Let another body stay, or remove the demand.</source>
-        <translation>Laissez un autre corps en place, ou retirez l&apos;exigence.</translation>
-    </message>
-    <message>
-        <source>Give a minimum below the maximum.</source>
-        <translation>Donnez un minimum inférieur au maximum.</translation>
-    </message>
-    <message>
-        <source>is not a valid configuration</source>
-        <translation>n&apos;est pas une configuration valide</translation>
-    </message>
-    <message>
-        <source>Give finite numbers and a unit quaternion.</source>
-        <translation>Donnez des nombres finis et un quaternion unitaire.</translation>
-    </message>
-    <message>
-        <source>the swept volume was not finished</source>
-        <translation>le volume balayé n&apos;a pas été terminé</translation>
-    </message>
-    <message>
-        <source>the bound of the swept volume is finer than 32-bit coordinates are so far from the origin</source>
-        <translation>la borne du volume balayé est plus fine que les coordonnées sur 32 bits aussi loin de l&apos;origine</translation>
-    </message>
-    <message>
-        <source>there is nothing that moves</source>
-        <translation>aucun corps ne se déplace</translation>
-    </message>
-    <message>
-        <source>Give a body with triangles and a path.</source>
-        <translation>Donnez un corps avec des triangles et un chemin.</translation>
-    </message>
-    <message>
-        <source>there is no such attribute</source>
-        <translation>cet attribut n&apos;existe pas</translation>
-    </message>
-    <message>
-        <source>Add it first.</source>
-        <translation>Ajoutez-le d&apos;abord.</translation>
-    </message>
-    <message>
-        <source>another place has this name</source>
-        <translation>un autre lieu porte ce nom</translation>
-    </message>
-    <message>
-        <source>Choose another.</source>
-        <translation>Choisissez-en un autre.</translation>
-    </message>
-    <message>
-        <source>the scenario&apos;s rule %1 uses the attribute &apos;%2&apos;</source>
-        <translation>la règle %1 du scénario utilise l&apos;attribut «&#xa0;%2&#xa0;»</translation>
-    </message>
-    <message>
-        <source>Change the rule first.</source>
-        <translation>Changez d&apos;abord la règle.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a number</source>
-        <translation>«&#xa0;%1&#xa0;» n&apos;est pas un nombre</translation>
-    </message>
-    <message>
-        <source>Write it like 0.25.</source>
-        <translation>Écrivez-le comme 0.25.</translation>
-    </message>
-    <message>
-        <source>the picture cannot be written in this format</source>
-        <translation>l&apos;image ne peut pas être écrite dans ce format</translation>
-    </message>
-    <message>
-        <source>Choose a name that ends in .png or .jpg.</source>
-        <translation>Choisissez un nom qui finit par .png ou .jpg.</translation>
-    </message>
-    <message>
-        <source>Move the start to a position clear of all bodies.</source>
-        <translation>Placez le départ à l&apos;écart de tous les corps.</translation>
-    </message>
-    <message>
-        <source>Move the goal to a position clear of all bodies.</source>
-        <translation>Placez le but à l&apos;écart de tous les corps.</translation>
-    </message>
-    <message>
-        <source>the goal &apos;out&apos; cannot be reached: the workspace has no room outside the box around the obstacles</source>
-        <translation>le but «&#xa0;dehors&#xa0;» est hors d&apos;atteinte&#xa0;: l&apos;espace de travail n&apos;a pas de place hors de la boîte englobante des obstacles</translation>
-    </message>
-    <message>
-        <source>the step limit of %1 was reached without a path</source>
-        <translation>la limite de %1 pas a été atteinte sans chemin</translation>
-    </message>
-    <message>
-        <source>the limit of %1 random configurations was reached without a path</source>
-        <translation>la limite de %1 configurations aléatoires a été atteinte sans chemin</translation>
-    </message>
-    <message>
-        <source>the time limit of %1 s was reached without a path</source>
-        <translation>la limite de temps de %1 s a été atteinte sans chemin</translation>
-    </message>
-    <message>
-        <source>Raise the limit (%1), steer the object yourself, or try another seed.</source>
-        <translation>Augmentez la limite (%1), guidez l&apos;objet vous-même, ou essayez une autre graine.</translation>
-    </message>
-    <message>
-        <source>the workspace has no configuration outside the product</source>
-        <translation>l&apos;espace de travail n&apos;a aucune configuration hors du produit</translation>
-    </message>
-    <message>
-        <source>the operation was stopped</source>
-        <translation>l&apos;opération a été arrêtée</translation>
-    </message>
-    <message>
-        <source>no scenario is open</source>
-        <translation>aucun scénario n&apos;est ouvert</translation>
-    </message>
-    <message>
-        <source>a run is going on</source>
-        <translation>un calcul est en cours</translation>
-    </message>
-    <message>
-        <source>Make &apos;%1&apos; the object first.</source>
-        <translation>Faites d&apos;abord de «&#xa0;%1&#xa0;» l&apos;objet.</translation>
-    </message>
-    <message>
-        <source>no product is open</source>
-        <translation>aucun produit n&apos;est ouvert</translation>
-    </message>
-    <message>
-        <source>its parts leave together, and only one part can be moved by hand</source>
-        <translation>ses pièces sortent ensemble, et une seule pièce peut être déplacée à la main</translation>
-    </message>
-    <message>
-        <source>is not a defined attribute</source>
-        <translation>n&apos;est pas un attribut défini</translation>
-    </message>
-    <message>
-        <source>is not a body of this scenario</source>
-        <translation>n&apos;est pas un corps de ce scénario</translation>
-    </message>
-    <message>
-        <source>the path of the shrunk object could not be repaired for the full-size object</source>
-        <translation>le chemin de l&apos;objet réduit n&apos;a pas pu être adapté à l&apos;objet réel</translation>
-    </message>
-    <message>
-        <source>is in a format that can only be written</source>
-        <translation>est dans un format qui ne peut qu&apos;être écrit</translation>
-    </message>
-    <message>
-        <source>%1; %2</source>
-        <translation>%1&#xa0;; %2</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>%1. %2</source>
-        <translation>%1. %2</translation>
-    </message>
-    <message>
-        <source>its input and output cannot be made</source>
-        <translation>ses flux d&apos;entrée et de sortie ne peuvent pas être créés</translation>
-    </message>
-    <message>
-        <source>no process can be made</source>
-        <translation>aucun processus ne peut être créé</translation>
-    </message>
-    <message>
-        <source>it cannot have a session of its own</source>
-        <translation>il ne peut pas avoir sa propre session</translation>
-    </message>
-    <message>
-        <source>its limits cannot be set</source>
-        <translation>ses limites ne peuvent pas être fixées</translation>
-    </message>
-    <message>
-        <source>its open files cannot be closed</source>
-        <translation>ses fichiers ouverts ne peuvent pas être fermés</translation>
-    </message>
-    <message>
-        <source>its file cannot be run</source>
-        <translation>son fichier ne peut pas être exécuté</translation>
-    </message>
-    <message>
-        <source>cannot be started: %1: %2</source>
-        <translation>ne peut pas être lancé&#xa0;: %1&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>Install the program again.</source>
-        <translation>Réinstallez le programme.</translation>
-    </message>
-    <message>
-        <source>Run fewer programs at once, or free some memory.</source>
-        <translation>Exécutez moins de programmes en même temps, ou libérez de la mémoire.</translation>
-    </message>
-    <message>
-        <source>cannot be read: %1</source>
-        <translation>ne peut pas être lu&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>is too large</source>
-        <translation>est trop grand</translation>
-    </message>
-    <message>
-        <source>Give a file of its kind.</source>
-        <translation>Donnez un fichier du type voulu.</translation>
-    </message>
-    <message>
-        <source>cannot be opened: %1</source>
-        <translation>ne peut pas être ouvert&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Check the name and the folder.</source>
-        <translation>Vérifiez le nom et le dossier.</translation>
-    </message>
-    <message>
-        <source>is not a regular file</source>
-        <translation>n&apos;est pas un fichier ordinaire</translation>
-    </message>
-    <message>
-        <source>Give a file, not a folder, a pipe or a device.</source>
-        <translation>Donnez un fichier, et non un dossier, un tube ou un périphérique.</translation>
-    </message>
-    <message>
-        <source>its group</source>
-        <translation>son groupe</translation>
-    </message>
-    <message>
-        <source>its owner</source>
-        <translation>son propriétaire</translation>
-    </message>
-    <message>
-        <source>its owner and group</source>
-        <translation>son propriétaire et son groupe</translation>
-    </message>
-    <message>
-        <source>%1 could not be kept</source>
-        <translation>%1 n&apos;ont pas pu être conservés</translation>
-    </message>
-    <message>
-        <source>Ask the former owner if others read the file.</source>
-        <translation>Si d&apos;autres personnes lisent ce fichier, adressez-vous à l&apos;ancien propriétaire.</translation>
-    </message>
-    <message>
-        <source>its permissions cannot be set</source>
-        <translation>ses droits d&apos;accès ne peuvent pas être fixés</translation>
-    </message>
-    <message>
-        <source>its access control list could not be kept</source>
-        <translation>sa liste de contrôle d&apos;accès n&apos;a pas pu être conservée</translation>
-    </message>
-    <message>
-        <source>Set it again.</source>
-        <translation>Fixez-la de nouveau.</translation>
-    </message>
-    <message>
-        <source>the file has %1 more names (hard links), which keep the old content</source>
-        <translation>le fichier a %1 autres noms (liens physiques), qui gardent l&apos;ancien contenu</translation>
-    </message>
-    <message>
-        <source>Copy the file over them, or link them again.</source>
-        <translation>Copiez le fichier à leur place, ou refaites les liens.</translation>
-    </message>
-    <message>
-        <source>cannot be saved over the present file: %1</source>
-        <translation>ne peut pas remplacer le fichier présent&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>its folder could not be flushed to the disk</source>
-        <translation>son dossier n&apos;a pas pu être écrit sur le disque</translation>
-    </message>
-    <message>
-        <source>After a power failure the file may have its old content. Save again.</source>
-        <translation>Après une coupure de courant, le fichier pourrait avoir son ancien contenu. Enregistrez de nouveau.</translation>
-    </message>
-    <message>
-        <source>no earlier version was kept</source>
-        <translation>aucune version antérieure n&apos;a été conservée</translation>
-    </message>
-    <message>
-        <source>It could not be read.</source>
-        <translation>Elle n&apos;a pas pu être lue.</translation>
-    </message>
-    <message>
-        <source>no earlier version was kept: %1</source>
-        <translation>aucune version antérieure n&apos;a été conservée&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>its folder of earlier versions cannot be made</source>
-        <translation>son dossier de versions antérieures ne peut pas être créé</translation>
-    </message>
-    <message>
-        <source>the permissions of its earlier version cannot be set</source>
-        <translation>les droits d&apos;accès de sa version antérieure ne peuvent pas être fixés</translation>
-    </message>
-    <message>
-        <source>its earlier version cannot be flushed to the disk</source>
-        <translation>sa version antérieure ne peut pas être écrite sur le disque</translation>
-    </message>
-    <message>
-        <source>there was not enough memory while %1 (%2)</source>
-        <translation>la mémoire n&apos;a pas suffi pour cette opération&#xa0;: %1 (%2)</translation>
-    </message>
-    <message>
-        <source>an error occurred while %1: %2</source>
-        <translation>une erreur est survenue pendant cette opération&#xa0;: %1 (%2)</translation>
-    </message>
-    <message>
-        <source>of an unknown kind</source>
-        <translation>de nature inconnue</translation>
-    </message>
-    <message>
-        <source>%1 is %2, which is not allowed</source>
-        <translation>%1 vaut %2, ce qui n&apos;est pas admis</translation>
-    </message>
-    <message>
-        <source>Give %1 from %2 to %3.</source>
-        <translation>Donnez %1 de %2 à %3.</translation>
-    </message>
-    <message>
-        <source>the folder takes no new file</source>
-        <translation>le dossier n&apos;accepte pas de nouveau fichier</translation>
-    </message>
-    <message>
-        <source>writing failed</source>
-        <translation>l&apos;écriture a échoué</translation>
-    </message>
-    <message>
-        <source>flushing to the disk failed</source>
-        <translation>l&apos;écriture sur le disque a échoué</translation>
-    </message>
-    <message>
-        <source>closing failed</source>
-        <translation>la fermeture a échoué</translation>
-    </message>
-    <message>
-        <source>what was written reads back differently</source>
-        <translation>ce qui a été écrit n&apos;est pas relu à l&apos;identique</translation>
-    </message>
-    <message>
-        <source>giving it its name failed</source>
-        <translation>il n&apos;a pas pu recevoir son nom</translation>
-    </message>
-    <message>
-        <source>What was there is untouched.</source>
-        <translation>Le contenu précédent est intact.</translation>
-    </message>
-    <message>
-        <source>What was there is untouched. %1</source>
-        <translation>Le contenu précédent est intact. %1</translation>
-    </message>
-    <message>
-        <source>Free some space, or save on another disk.</source>
-        <translation>Libérez de la place, ou enregistrez sur un autre disque.</translation>
-    </message>
-    <message>
-        <source>Raise the limit of the file size, or save on another disk.</source>
-        <translation>Relevez la limite de taille des fichiers, ou enregistrez sur un autre disque.</translation>
-    </message>
-    <message>
-        <source>Save into a folder that you may write to.</source>
-        <translation>Enregistrez dans un dossier où vous avez le droit d&apos;écrire.</translation>
-    </message>
-    <message>
-        <source>The file system is read-only. Save into another folder.</source>
-        <translation>Le système de fichiers est en lecture seule. Enregistrez dans un autre dossier.</translation>
-    </message>
-    <message>
-        <source>Choose a shorter name.</source>
-        <translation>Choisissez un nom plus court.</translation>
-    </message>
-    <message>
-        <source>Create the folder, or choose another one.</source>
-        <translation>Créez le dossier, ou choisissez-en un autre.</translation>
-    </message>
-    <message>
-        <source>The disk may be failing. Save on another disk.</source>
-        <translation>Le disque est peut-être défaillant. Enregistrez sur un autre disque.</translation>
-    </message>
-    <message>
-        <source>Save into another folder.</source>
-        <translation>Enregistrez dans un autre dossier.</translation>
-    </message>
-    <message>
-        <source>it cannot be looked at</source>
-        <translation>il ne peut pas être examiné</translation>
-    </message>
-    <message>
-        <source>its links cannot be followed</source>
-        <translation>ses liens ne peuvent pas être suivis</translation>
-    </message>
-    <message>
-        <source>Choose another name.</source>
-        <translation>Choisissez un autre nom.</translation>
-    </message>
-    <message>
-        <source>it is a folder</source>
-        <translation>c&apos;est un dossier</translation>
-    </message>
-    <message>
-        <source>it is a pipe</source>
-        <translation>c&apos;est un tube</translation>
-    </message>
-    <message>
-        <source>it is a socket</source>
-        <translation>c&apos;est un socket</translation>
-    </message>
-    <message>
-        <source>it is a device</source>
-        <translation>c&apos;est un périphérique</translation>
-    </message>
-    <message>
-        <source>it is read-only</source>
-        <translation>il est en lecture seule</translation>
-    </message>
-    <message>
-        <source>Save under another name, or make the file writable.</source>
-        <translation>Enregistrez sous un autre nom, ou rendez le fichier modifiable.</translation>
-    </message>
-    <message>
-        <source>it has no name</source>
-        <translation>il n&apos;a pas de nom</translation>
-    </message>
-    <message>
-        <source>Give a name.</source>
-        <translation>Donnez un nom.</translation>
-    </message>
-    <message>
-        <source>line %1</source>
-        <translation>ligne %1</translation>
-    </message>
-    <message>
-        <source>line %1, column %2</source>
-        <translation>ligne %1, colonne %2</translation>
-    </message>
-    <message>
-        <source>line %1: %2</source>
-        <translation>ligne %1&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>column %1</source>
-        <translation>colonne %1</translation>
-    </message>
-    <message>
-        <source>byte %1</source>
-        <translation>octet %1</translation>
-    </message>
-    <message>
-        <source>body &apos;%1&apos;</source>
-        <translation>corps «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>part &apos;%1&apos;</source>
-        <translation>pièce «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>part %1</source>
-        <translation>pièce %1</translation>
-    </message>
-    <message>
-        <source>asset &apos;%1&apos;</source>
-        <translation>asset «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>link &apos;%1&apos;</source>
-        <translation>corps URDF «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>joint &apos;%1&apos;</source>
-        <translation>liaison «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; and &apos;%2&apos;</source>
-        <translation>«&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;»</translation>
-    </message>
-    <message>
-        <source>%1 and %2 more</source>
-        <translation>%1 et %2 autres</translation>
-    </message>
-    <message>
-        <source>holds no triangle</source>
-        <translation>ne contient aucun triangle</translation>
-    </message>
-    <message>
-        <source>needs more than the %1 MiB of memory that a file of its size may take on this machine</source>
-        <translation>demande plus que les %1 Mio de mémoire admis sur cette machine pour un fichier de cette taille</translation>
-    </message>
-    <message>
-        <source>it needs more than %1 triangles</source>
-        <translation>il demande plus de %1 triangles</translation>
-    </message>
-    <message>
-        <source>it is empty or too large</source>
-        <translation>il est vide ou trop grand</translation>
-    </message>
-    <message>
-        <source>its shapes cannot be computed (%1)</source>
-        <translation>ses formes ne peuvent pas être calculées (%1)</translation>
-    </message>
-    <message>
-        <source>it needs more memory than an import may take</source>
-        <translation>il demande plus de mémoire qu&apos;un import n&apos;en peut prendre</translation>
-    </message>
-    <message>
-        <source>a limit cannot be set</source>
-        <translation>une limite ne peut pas être fixée</translation>
-    </message>
-    <message>
-        <source>the time cannot be limited</source>
-        <translation>le temps ne peut pas être limité</translation>
-    </message>
-    <message>
-        <source>the memory cannot be limited</source>
-        <translation>la mémoire ne peut pas être limitée</translation>
-    </message>
-    <message>
-        <source>the capabilities cannot be given up</source>
-        <translation>les privilèges ne peuvent pas être abandonnés</translation>
-    </message>
-    <message>
-        <source>new privileges cannot be given up</source>
-        <translation>l&apos;obtention de nouveaux privilèges ne peut pas être interdite</translation>
-    </message>
-    <message>
-        <source>is too large: it has %1, and at most %2 are read with the memory of this machine</source>
-        <translation>est trop grand&#xa0;: il a %1, et au plus %2 sont lus avec la mémoire de cette machine</translation>
-    </message>
-    <message>
-        <source>takes too long to read: it is too complex or malformed</source>
-        <translation>est trop long à lire&#xa0;: il est trop complexe ou mal formé</translation>
-    </message>
-    <message>
-        <source>was not read: the library that reads this format crashed on it%1</source>
-        <translation>n&apos;a pas été lu&#xa0;: la bibliothèque qui lit ce format s&apos;est arrêtée brutalement%1</translation>
-    </message>
-    <message>
-        <source>the importer failed on it</source>
-        <translation>l&apos;importateur a échoué sur ce fichier</translation>
-    </message>
-    <message>
-        <source>was not read: the importing process cannot give up its rights (%1)</source>
-        <translation>n&apos;a pas été lu&#xa0;: le processus d&apos;import ne peut pas abandonner ses droits (%1)</translation>
-    </message>
-    <message>
-        <source>Files are read only where the kernel permits seccomp filters: use another machine or container.</source>
-        <translation>Les fichiers ne sont lus que si le noyau permet les filtres seccomp&#xa0;: utilisez une autre machine ou un autre conteneur.</translation>
-    </message>
-    <message>
-        <source>holds %1 vertices and %2 triangles; at most %3 of each are read</source>
-        <translation>contient %1 sommets et %2 triangles&#xa0;; au plus %3 de chaque sont lus</translation>
-    </message>
-    <message>
-        <source>has a vertex whose coordinates are not finite, or too large</source>
-        <translation>a un sommet dont les coordonnées ne sont pas finies ou sont trop grandes</translation>
-    </message>
-    <message>
-        <source>has a triangle with a corner that does not exist</source>
-        <translation>a un triangle dont un sommet n&apos;existe pas</translation>
-    </message>
-    <message>
-        <source>holds 32-bit coordinates whose spacing of %1 is too coarse for a part with a diagonal of %2 (units of the file)</source>
-        <translation>contient des coordonnées sur 32 bits dont l&apos;espacement de %1 est trop grossier pour une pièce de diagonale %2 (unités du fichier)</translation>
-    </message>
-    <message>
-        <source>Export the part nearer to its origin, or as STL text, OBJ or PLY text with enough digits.</source>
-        <translation>Exportez la pièce plus près de son origine, ou en texte STL, OBJ ou PLY avec assez de chiffres.</translation>
-    </message>
-    <message>
-        <source>Use STL, OBJ, PLY, DAE, glTF or GLB; &quot;step&quot; and &quot;urdf&quot; are shapes of their own in a scenario.</source>
-        <translation>Utilisez STL, OBJ, PLY, DAE, glTF ou GLB&#xa0;; dans un scénario, «&#xa0;step&#xa0;» et «&#xa0;urdf&#xa0;» sont des formes à part.</translation>
-    </message>
-    <message>
-        <source>Export the part again, for example as binary STL or GLB.</source>
-        <translation>Exportez de nouveau la pièce, par exemple en STL binaire ou en GLB.</translation>
-    </message>
-    <message>
-        <source>Buffers in files of their own are not read: export it as one .glb file.</source>
-        <translation>Les tampons dans des fichiers séparés ne sont pas lus&#xa0;: exportez-le en un seul fichier .glb.</translation>
-    </message>
-    <message>
-        <source>is not &apos;key = value&apos;</source>
-        <translation>n&apos;est pas de la forme «&#xa0;clé = valeur&#xa0;»</translation>
-    </message>
-    <message>
-        <source>gives &apos;%1&apos; a second time</source>
-        <translation>donne «&#xa0;%1&#xa0;» une seconde fois</translation>
-    </message>
-    <message>
-        <source>is missing or empty</source>
-        <translation>manque ou est vide</translation>
-    </message>
-    <message>
-        <source>is missing</source>
-        <translation>manque</translation>
-    </message>
-    <message>
-        <source>is not a finite number</source>
-        <translation>n&apos;est pas un nombre fini</translation>
-    </message>
-    <message>
-        <source>is beyond 1e9</source>
-        <translation>dépasse 1e9</translation>
-    </message>
-    <message>
-        <source>is zero</source>
-        <translation>est nul</translation>
-    </message>
-    <message>
-        <source>has a minimum above its maximum</source>
-        <translation>a un minimum supérieur à son maximum</translation>
-    </message>
-    <message>
-        <source>the file name &apos;%1&apos; leaves the folder</source>
-        <translation>le nom de fichier «&#xa0;%1&#xa0;» sort du dossier</translation>
-    </message>
-    <message>
-        <source>Put the file beside the scenario or below it and name it relative to it.</source>
-        <translation>Mettez le fichier à côté du scénario ou au-dessous, et nommez-le relativement à lui.</translation>
-    </message>
-    <message>
-        <source>has no face that could be tessellated</source>
-        <translation>n&apos;a aucune face qui ait pu être triangulée</translation>
-    </message>
-    <message>
-        <source>%1: the part is not closed there; proofs take what is missing as free space</source>
-        <translation>%1&#xa0;: la pièce n&apos;y est pas fermée&#xa0;; les preuves prennent ce qui manque pour de l&apos;espace libre</translation>
-    </message>
-    <message>
-        <source>Do not trust paths near it; export it again, or as a mesh.</source>
-        <translation>Ne vous fiez pas aux chemins qui passent près d&apos;elle&#xa0;; exportez-la de nouveau, ou en maillage.</translation>
-    </message>
-    <message>
-        <source>has a part that is at no place in space</source>
-        <translation>a une pièce sans position dans l&apos;espace</translation>
-    </message>
-    <message>
-        <source>its assemblies are nested too deeply, or hold themselves</source>
-        <translation>ses assemblages sont trop imbriqués, ou se contiennent eux-mêmes</translation>
-    </message>
-    <message>
-        <source>it has more than %1 assemblies and parts</source>
-        <translation>il a plus de %1 assemblages et pièces</translation>
-    </message>
-    <message>
-        <source>it has more than %1 parts</source>
-        <translation>il a plus de %1 pièces</translation>
-    </message>
-    <message>
-        <source>it has more than %1 faces</source>
-        <translation>il a plus de %1 faces</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is mirrored or scaled by its assembly and is in another file</source>
-        <translation>«&#xa0;%1&#xa0;» est symétrisée ou mise à l&apos;échelle par son assemblage et se trouve dans un autre fichier</translation>
-    </message>
-    <message>
-        <source>%1 more could not be made</source>
-        <translation>%1 autres n&apos;ont pas pu être construits</translation>
-    </message>
-    <message>
-        <source>face %1 (%2)</source>
-        <translation>la face %1 (%2)</translation>
-    </message>
-    <message>
-        <source>face %1 (%2) of &apos;%3&apos;</source>
-        <translation>face %1 (%2) de «&#xa0;%3&#xa0;»</translation>
-    </message>
-    <message>
-        <source>B-spline surface</source>
-        <translation>surface B-spline</translation>
-    </message>
-    <message>
-        <source>Bezier surface</source>
-        <translation>surface de Bézier</translation>
-    </message>
-    <message>
-        <source>surface of revolution</source>
-        <translation>surface de révolution</translation>
-    </message>
-    <message>
-        <source>surface of extrusion</source>
-        <translation>surface d&apos;extrusion</translation>
-    </message>
-    <message>
-        <source>offset surface</source>
-        <translation>surface décalée</translation>
-    </message>
-    <message>
-        <source>cone</source>
-        <translation>cône</translation>
-    </message>
-    <message>
-        <source>sphere</source>
-        <translation>sphère</translation>
-    </message>
-    <message>
-        <source>torus</source>
-        <translation>tore</translation>
-    </message>
-    <message>
-        <source>plane</source>
-        <translation>plan</translation>
-    </message>
-    <message>
-        <source>cylinder</source>
-        <translation>cylindre</translation>
-    </message>
-    <message>
-        <source>OpenCASCADE makes no triangles for it</source>
-        <translation>OpenCASCADE ne lui fait aucun triangle</translation>
-    </message>
-    <message>
-        <source>OpenCASCADE&apos;s triangles leave its boundary open</source>
-        <translation>les triangles d&apos;OpenCASCADE laissent son contour ouvert</translation>
-    </message>
-    <message>
-        <source>OpenCASCADE&apos;s triangles overlap on it</source>
-        <translation>les triangles d&apos;OpenCASCADE s&apos;y recouvrent</translation>
-    </message>
-    <message>
-        <source>%1; it was triangulated from its boundaries, within %2 mm of its surface</source>
-        <translation>%1&#xa0;; elle a été triangulée à partir de ses contours, à %2&#xa0;mm de sa surface au plus</translation>
-    </message>
-    <message>
-        <source>%1, because its boundaries cross; it was triangulated between their points, within %2 mm of its surface</source>
-        <translation>%1, parce que ses contours se croisent&#xa0;; elle a été triangulée entre leurs points, à %2&#xa0;mm de sa surface au plus</translation>
-    </message>
-    <message>
-        <source>%1, and its boundaries cannot be triangulated</source>
-        <translation>%1, et ses contours ne peuvent pas être triangulés</translation>
-    </message>
-    <message>
-        <source>its triangles enclose %1 cubic millimetres, and its faces %2: they differ by more than the deviation of the triangles explains</source>
-        <translation>ses triangles enferment %1 millimètres cubes, et ses faces %2&#xa0;: la différence dépasse ce que l&apos;écart des triangles explique</translation>
-    </message>
-    <message>
-        <source>is no solid: its faces (%1) bound nothing, %2 of their edges are open</source>
-        <translation>n&apos;est pas un solide&#xa0;: ses faces (%1) ne délimitent rien, %2 de leurs arêtes sont ouvertes</translation>
-    </message>
-    <message>
-        <source>has no thickness: its faces enclose no volume</source>
-        <translation>n&apos;a pas d&apos;épaisseur&#xa0;: ses faces n&apos;enferment aucun volume</translation>
-    </message>
-    <message>
-        <source>has curves that lie on no face (%1): they are left out</source>
-        <translation>a des courbes qui ne sont sur aucune face (%1)&#xa0;: elles sont ignorées</translation>
-    </message>
-    <message>
-        <source>It is an obstacle that can be inside of others. Export it as a solid, or leave it out (--without).</source>
-        <translation>C&apos;est un obstacle qui peut se trouver à l&apos;intérieur d&apos;autres. Exportez-le comme solide, ou écartez-le (--without).</translation>
-    </message>
-    <message>
-        <source>Give them faces if they are parts.</source>
-        <translation>Donnez-leur des faces si ce sont des pièces.</translation>
-    </message>
-    <message>
-        <source>%1 more faces were triangulated from their boundaries</source>
-        <translation>%1 autres faces ont été triangulées à partir de leurs contours</translation>
-    </message>
-    <message>
-        <source>The deviation counts in every certificate; export the part as a mesh if it is too much.</source>
-        <translation>L&apos;écart compte dans chaque certificat&#xa0;; exportez la pièce en maillage s&apos;il est trop grand.</translation>
-    </message>
-    <message>
-        <source>standard input</source>
-        <translation>entrée standard</translation>
-    </message>
-    <message>
-        <source>it is not sound STEP text</source>
-        <translation>ce n&apos;est pas un texte STEP correct</translation>
-    </message>
-    <message>
-        <source>it holds no product that can be understood</source>
-        <translation>il ne contient aucun produit interprétable</translation>
-    </message>
-    <message>
-        <source>nothing is known of where %1 is, and proofs are about the product without it: %2</source>
-        <translation>on ne sait pas où est %1, et les preuves portent sur le produit sans lui&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>Export the part as a solid with faces, or as triangles.</source>
-        <translation>Exportez la pièce comme solide avec des faces, ou comme triangles.</translation>
-    </message>
-    <message>
-        <source>%1 more of its shapes are missing</source>
-        <translation>%1 autres de ses formes manquent</translation>
-    </message>
-    <message>
-        <source>its kind is not read</source>
-        <translation>sa sorte n&apos;est pas lue</translation>
-    </message>
-    <message>
-        <source>it could not be made</source>
-        <translation>il n&apos;a pas pu être construit</translation>
-    </message>
-    <message>
-        <source>it was made in %1 of its %2 places</source>
-        <translation>il a été construit à %1 de ses %2 emplacements</translation>
-    </message>
-    <message>
-        <source>the product has no shape in the file</source>
-        <translation>le produit n&apos;a pas de forme dans le fichier</translation>
-    </message>
-    <message>
-        <source>a parenthesis is not closed</source>
-        <translation>une parenthèse n&apos;est pas fermée</translation>
-    </message>
-    <message>
-        <source>a parenthesis is closed that was not opened</source>
-        <translation>une parenthèse est fermée sans avoir été ouverte</translation>
-    </message>
-    <message>
-        <source>it places the part, and is not understood</source>
-        <translation>il place la pièce, et n&apos;est pas compris</translation>
-    </message>
-    <message>
-        <source>it belongs to no solid of the file</source>
-        <translation>il n&apos;appartient à aucun solide du fichier</translation>
-    </message>
-    <message>
-        <source>its triangles cannot be read: %1</source>
-        <translation>ses triangles ne peuvent pas être lus&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>it belongs to no product of the file and is read as a body where its coordinates are</source>
-        <translation>il n&apos;appartient à aucun produit du fichier et est lu comme corps là où sont ses coordonnées</translation>
-    </message>
-    <message>
-        <source>Leave it out if it is no part (--without).</source>
-        <translation>Écartez-le si ce n&apos;est pas une pièce (--without).</translation>
-    </message>
-    <message>
-        <source>it is taken for a second representation of a solid of its size and is left out</source>
-        <translation>il est pris pour une seconde représentation d&apos;un solide de sa taille et est ignoré</translation>
-    </message>
-    <message>
-        <source>Export solids and triangles as two products if they are two parts.</source>
-        <translation>Exportez les solides et les triangles comme deux produits si ce sont deux pièces.</translation>
-    </message>
-    <message>
-        <source>it holds neither a solid nor a face%1</source>
-        <translation>il ne contient ni solide ni face%1</translation>
-    </message>
-    <message>
-        <source>a list of its numbers holds something else</source>
-        <translation>une liste de ses nombres contient autre chose</translation>
-    </message>
-    <message>
-        <source>it has no triangle with three corners</source>
-        <translation>il n&apos;a aucun triangle à trois sommets</translation>
-    </message>
-    <message>
-        <source>its items are nested too deeply</source>
-        <translation>ses éléments sont imbriqués trop profondément</translation>
-    </message>
-    <message>
-        <source>%1 has too few values</source>
-        <translation>%1 a trop peu de valeurs</translation>
-    </message>
-    <message>
-        <source>its item %1 is of a kind that is not read</source>
-        <translation>son élément %1 est d&apos;une sorte qui n&apos;est pas lue</translation>
-    </message>
-    <message>
-        <source>%1 has a triangle without three corners</source>
-        <translation>%1 a un triangle sans trois sommets</translation>
-    </message>
-    <message>
-        <source>%1 has no COORDINATES_LIST</source>
-        <translation>%1 n&apos;a pas de COORDINATES_LIST</translation>
-    </message>
-    <message>
-        <source>a point of COORDINATES_LIST #%1 has no three numbers</source>
-        <translation>un point de COORDINATES_LIST n° %1 n&apos;a pas trois nombres</translation>
-    </message>
-    <message>
-        <source>%1 refers to point %2, which is not in its lists</source>
-        <translation>%1 renvoie au point %2, qui n&apos;est pas dans ses listes</translation>
-    </message>
-    <message>
-        <source>%1 has a point that is not in space</source>
-        <translation>%1 a un point qui n&apos;est pas dans l&apos;espace</translation>
-    </message>
-    <message>
-        <source>it is repositioned in a way that is not read</source>
-        <translation>il est déplacé d&apos;une manière qui n&apos;est pas lue</translation>
-    </message>
-    <message>
-        <source>the proof is about the product without these shapes, which the file states: %1</source>
-        <translation>la preuve porte sur le produit sans ces formes, que le fichier énonce : %1</translation>
-    </message>
-    <message>
-        <source>the scenario neither names it nor leaves it out</source>
-        <translation>le scénario ne la nomme pas et ne l'écarte pas</translation>
-    </message>
-    <message>
-        <source>has more than %1 parts</source>
-        <translation>a plus de %1 pièces</translation>
-    </message>
-    <message>
-        <source>places other files more than %1 times, those that they place counted</source>
-        <translation>place plus de %1 fois d&apos;autres fichiers, en comptant ceux que ces fichiers placent</translation>
-    </message>
-    <message>
-        <source>is nested too deeply in other files</source>
-        <translation>est trop imbriqué dans d&apos;autres fichiers</translation>
-    </message>
-    <message>
-        <source>names more than %1 files</source>
-        <translation>nomme plus de %1 fichiers</translation>
-    </message>
-    <message>
-        <source>and the files that it names have more than %1</source>
-        <translation>a, avec les fichiers qu&apos;il nomme, plus de %1</translation>
-    </message>
-    <message>
-        <source>needs more than %1 triangles</source>
-        <translation>demande plus de %1 triangles</translation>
-    </message>
-    <message>
-        <source>is missing, and proofs take it as free space: its file &apos;%1&apos; %2 (looked for in &apos;%3&apos;)</source>
-        <translation>manque, et les preuves la prennent pour de l&apos;espace libre&#xa0;: son fichier «&#xa0;%1&#xa0;» %2 (cherché dans «&#xa0;%3&#xa0;»)</translation>
-    </message>
-    <message>
-        <source>ends before END-ISO-10303-21: it is cut off</source>
-        <translation>finit avant END-ISO-10303-21&#xa0;: il est tronqué</translation>
-    </message>
-    <message>
-        <source>Export it again as STEP AP214 or AP242, or its parts as meshes.</source>
-        <translation>Exportez-le de nouveau en STEP AP214 ou AP242, ou ses pièces en maillages.</translation>
-    </message>
-    <message>
-        <source>cannot be read as IGES: %1</source>
-        <translation>ne peut pas être lu comme IGES&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>cannot be read as BREP: %1</source>
-        <translation>ne peut pas être lu comme BREP&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>is %1, which is not read</source>
-        <translation>est %1, ce qui n&apos;est pas lu</translation>
-    </message>
-    <message>
-        <source>a SolidWorks file</source>
-        <translation>un fichier SolidWorks</translation>
-    </message>
-    <message>
-        <source>a CATIA file</source>
-        <translation>un fichier CATIA</translation>
-    </message>
-    <message>
-        <source>an Inventor file</source>
-        <translation>un fichier Inventor</translation>
-    </message>
-    <message>
-        <source>a part or an assembly of NX, Creo or Solid Edge</source>
-        <translation>une pièce ou un assemblage de NX, Creo ou Solid Edge</translation>
-    </message>
-    <message>
-        <source>a Solid Edge file</source>
-        <translation>un fichier Solid Edge</translation>
-    </message>
-    <message>
-        <source>a JT file</source>
-        <translation>un fichier JT</translation>
-    </message>
-    <message>
-        <source>a Parasolid file</source>
-        <translation>un fichier Parasolid</translation>
-    </message>
-    <message>
-        <source>an ACIS file</source>
-        <translation>un fichier ACIS</translation>
-    </message>
-    <message>
-        <source>a Fusion file</source>
-        <translation>un fichier Fusion</translation>
-    </message>
-    <message>
-        <source>a FreeCAD file</source>
-        <translation>un fichier FreeCAD</translation>
-    </message>
-    <message>
-        <source>a Rhino file</source>
-        <translation>un fichier Rhino</translation>
-    </message>
-    <message>
-        <source>an AutoCAD drawing</source>
-        <translation>un dessin AutoCAD</translation>
-    </message>
-    <message>
-        <source>a VDA-FS file</source>
-        <translation>un fichier VDA-FS</translation>
-    </message>
-    <message>
-        <source>a binary BREP file</source>
-        <translation>un fichier BREP binaire</translation>
-    </message>
-    <message>
-        <source>an OpenSCAD program</source>
-        <translation>un programme OpenSCAD</translation>
-    </message>
-    <message>
-        <source>a 3MF file</source>
-        <translation>un fichier 3MF</translation>
-    </message>
-    <message>
-        <source>an AMF file</source>
-        <translation>un fichier AMF</translation>
-    </message>
-    <message>
-        <source>a SketchUp file</source>
-        <translation>un fichier SketchUp</translation>
-    </message>
-    <message>
-        <source>a Blender file</source>
-        <translation>un fichier Blender</translation>
-    </message>
-    <message>
-        <source>an FBX file</source>
-        <translation>un fichier FBX</translation>
-    </message>
-    <message>
-        <source>a 3ds Max file</source>
-        <translation>un fichier 3ds Max</translation>
-    </message>
-    <message>
-        <source>a USD file</source>
-        <translation>un fichier USD</translation>
-    </message>
-    <message>
-        <source>a VRML or X3D file</source>
-        <translation>un fichier VRML ou X3D</translation>
-    </message>
-    <message>
-        <source>a building model (IFC)</source>
-        <translation>un modèle de bâtiment (IFC)</translation>
-    </message>
-    <message>
-        <source>STEP as XML</source>
-        <translation>du STEP en XML</translation>
-    </message>
-    <message>
-        <source>a compressed file</source>
-        <translation>un fichier compressé</translation>
-    </message>
-    <message>
-        <source>Export it as STEP (AP214 or AP242) in the program that it is from.</source>
-        <translation>Exportez-le en STEP (AP214 ou AP242) dans le programme dont il vient.</translation>
-    </message>
-    <message>
-        <source>Export it as STL, OBJ, PLY or glTF in the program that it is from.</source>
-        <translation>Exportez-le en STL, OBJ, PLY ou glTF dans le programme dont il vient.</translation>
-    </message>
-    <message>
-        <source>Unpack it, and give the file that is in it.</source>
-        <translation>Décompressez-le, et donnez le fichier qu&apos;il contient.</translation>
-    </message>
-    <message>
-        <source>are read as %1</source>
-        <translation>sont lus comme %1</translation>
-    </message>
-    <message>
-        <source>are in an encoding that cannot be told, and are read as %1</source>
-        <translation>sont dans un codage impossible à déterminer, et sont lus comme %1</translation>
-    </message>
-    <message>
-        <source>Where that is wrong, export it with names in UTF-8, or name its parts by their numbers (#2).</source>
-        <translation>Si c&apos;est faux, exportez-le avec des noms en UTF-8, ou nommez ses pièces par leurs numéros (#2).</translation>
-    </message>
-    <message>
-        <source>column 73 of its first line is not S: it is no text of 80 columns</source>
-        <translation>la colonne 73 de sa première ligne n&apos;est pas S&#xa0;: ce n&apos;est pas un texte de 80 colonnes</translation>
-    </message>
-    <message>
-        <source>it ends before its terminate section (T): it is cut off</source>
-        <translation>il finit avant sa section de fin (T)&#xa0;: il est tronqué</translation>
-    </message>
-    <message>
-        <source>its line %1 is of no section, or of another one than the lines around it</source>
-        <translation>sa ligne %1 n&apos;est d&apos;aucune section, ou d&apos;une autre que les lignes voisines</translation>
-    </message>
-    <message>
-        <source>its line %1 is not numbered as it should be (%2): lines are missing, or damaged</source>
-        <translation>sa ligne %1 n&apos;a pas le numéro attendu (%2)&#xa0;: des lignes manquent ou sont abîmées</translation>
-    </message>
-    <message>
-        <source>it has %1 lines in its section %2, and states %3: lines are missing</source>
-        <translation>il a %1 lignes dans sa section %2 et en annonce %3&#xa0;: des lignes manquent</translation>
-    </message>
-    <message>
-        <source>is a binary BREP file, which is not read: write it as text</source>
-        <translation>est un fichier BREP binaire, qui n&apos;est pas lu&#xa0;: écrivez-le en texte</translation>
-    </message>
-    <message>
-        <source>is not a BREP file (it does not begin with &apos;CASCADE Topology V&apos;)</source>
-        <translation>n&apos;est pas un fichier BREP (il ne commence pas par «&#xa0;CASCADE Topology V&#xa0;»)</translation>
-    </message>
-    <message>
-        <source>it is not sound IGES text</source>
-        <translation>ce n&apos;est pas un texte IGES correct</translation>
-    </message>
-    <message>
-        <source>it is not sound BREP text</source>
-        <translation>ce n&apos;est pas un texte BREP correct</translation>
-    </message>
-    <message>
-        <source>its groups are nested too deeply</source>
-        <translation>ses groupes sont trop imbriqués</translation>
-    </message>
-    <message>
-        <source>it has too many groups and parts</source>
-        <translation>il a trop de groupes et de pièces</translation>
-    </message>
-    <message>
-        <source>%1 faces are smaller than the gaps between faces</source>
-        <translation>%1 faces sont plus petites que les intervalles entre les faces</translation>
-    </message>
-    <message>
-        <source>the solid could not be made</source>
-        <translation>le solide n&apos;a pas pu être construit</translation>
-    </message>
-    <message>
-        <source>number %1 of its faces is not a face</source>
-        <translation>sa face numéro %1 n&apos;est pas une face</translation>
-    </message>
-    <message>
-        <source>its face %1 could not be made</source>
-        <translation>sa face %1 n&apos;a pas pu être construite</translation>
-    </message>
-    <message>
-        <source>number %1 of its boundaries could not be made</source>
-        <translation>son contour numéro %1 n&apos;a pas pu être construit</translation>
-    </message>
-    <message>
-        <source>more than %1 of its faces could not be made</source>
-        <translation>plus de %1 de ses faces n&apos;ont pas pu être construites</translation>
-    </message>
-    <message>
-        <source>%1 %2 a part in a way that cannot be read: write it as a part of its own</source>
-        <translation>%1 %2 une pièce d&apos;une façon qui ne peut pas être lue&#xa0;: écrivez-la comme une pièce à part</translation>
-    </message>
-    <message>
-        <source>%1 places a part that could not be made</source>
-        <translation>%1 place une pièce qui n&apos;a pas pu être construite</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is distorted by its assembly</source>
-        <translation>«&#xa0;%1&#xa0;» est déformée par son assemblage</translation>
-    </message>
-    <message>
-        <source>a mirrored or scaled part was not found in its assembly</source>
-        <translation>une pièce symétrisée ou mise à l&apos;échelle n&apos;a pas été trouvée dans son assemblage</translation>
-    </message>
-    <message>
-        <source>is not a file name</source>
-        <translation>n&apos;est pas un nom de fichier</translation>
-    </message>
-    <message>
-        <source>is outside its folder</source>
-        <translation>est hors de son dossier</translation>
-    </message>
-    <message>
-        <source>is not there</source>
-        <translation>n&apos;existe pas</translation>
-    </message>
-    <message>
-        <source>is not a STEP file</source>
-        <translation>n&apos;est pas un fichier STEP</translation>
-    </message>
-    <message>
-        <source>#%1 is there twice</source>
-        <translation>#%1 y est deux fois</translation>
-    </message>
-    <message>
-        <source>%1 refers to #%2, which is not in the file</source>
-        <translation>%1 renvoie à #%2, qui n&apos;est pas dans le fichier</translation>
-    </message>
-    <message>
-        <source>%1 refers to %2, which refers back to it</source>
-        <translation>%1 renvoie à %2, qui renvoie à lui</translation>
-    </message>
-    <message>
-        <source>parentheses are nested more than %1 deep</source>
-        <translation>les parenthèses sont imbriquées sur plus de %1 niveaux</translation>
-    </message>
-    <message>
-        <source>a list has more than %1 values</source>
-        <translation>une liste a plus de %1 valeurs</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a value</source>
-        <translation>«&#xa0;%1&#xa0;» n&apos;est pas une valeur</translation>
-    </message>
-    <message>
-        <source>a number has %1 characters</source>
-        <translation>un nombre a %1 caractères</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a finite number</source>
-        <translation>«&#xa0;%1&#xa0;» n&apos;est pas un nombre fini</translation>
-    </message>
-    <message>
-        <source>the filter of system calls cannot be loaded: %1</source>
-        <translation>le filtre des appels système ne peut pas être chargé&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>has a link that is the child of two joints</source>
-        <translation>a un corps qui dépend de deux liaisons</translation>
-    </message>
-    <message>
-        <source>has more than %1 triangles</source>
-        <translation>a plus de %1 triangles</translation>
-    </message>
-    <message>
-        <source>is not fixed: only rigid bodies are read</source>
-        <translation>n&apos;est pas fixe&#xa0;: seuls les corps rigides sont lus</translation>
-    </message>
-    <message>
-        <source>has links that no joint connects to its root</source>
-        <translation>a des corps qu&apos;aucune liaison ne relie à sa racine</translation>
-    </message>
-    <message>
-        <source>holds no shape</source>
-        <translation>ne contient aucune forme</translation>
-    </message>
-    <message>
-        <source>has a shape whose size is not a positive number from 1e-12 m to 1e9 m</source>
-        <translation>a une forme dont la taille n&apos;est pas un nombre positif de 1e-12 m à 1e9 m</translation>
-    </message>
-    <message>
-        <source>has an unknown shape</source>
-        <translation>a une forme inconnue</translation>
-    </message>
-    <message>
-        <source>has a mesh whose scale is not a number from 1e-12 to 1e9</source>
-        <translation>a un maillage dont l&apos;échelle n&apos;est pas un nombre de 1e-12 à 1e9</translation>
-    </message>
-    <message>
-        <source>has an origin that is not finite, or beyond 1e9 m</source>
-        <translation>a une origine qui n&apos;est pas finie ou dépasse 1e9 m</translation>
-    </message>
-    <message>
-        <source>has more than %1 links</source>
-        <translation>a plus de %1 corps</translation>
-    </message>
-    <message>
-        <source>is not a URDF file</source>
-        <translation>n&apos;est pas un fichier URDF</translation>
-    </message>
-    <message>
-        <source>has a shape that cannot be read</source>
-        <translation>a une forme qui ne peut pas être lue</translation>
-    </message>
-    <message>
-        <source>ends inside the element &apos;%1&apos;</source>
-        <translation>finit à l&apos;intérieur de l&apos;élément «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>is not valid UTF-8 text</source>
-        <translation>n&apos;est pas un texte UTF-8 valide</translation>
-    </message>
-    <message>
-        <source>a CDATA section</source>
-        <translation>une section CDATA</translation>
-    </message>
-    <message>
-        <source>a comment</source>
-        <translation>un commentaire</translation>
-    </message>
-    <message>
-        <source>has a document type, which is not read</source>
-        <translation>a un type de document, ce qui n&apos;est pas lu</translation>
-    </message>
-    <message>
-        <source>has %1 that does not end</source>
-        <translation>a %1 qui ne finit pas</translation>
-    </message>
-    <message>
-        <source>has a processing instruction that does not end with its first &apos;&gt;&apos;</source>
-        <translation>a une instruction de traitement qui ne finit pas à son premier «&#xa0;&gt;&#xa0;»</translation>
-    </message>
-    <message>
-        <source>has the end tag of an element that is not open</source>
-        <translation>a la balise de fin d&apos;un élément qui n&apos;est pas ouvert</translation>
-    </message>
-    <message>
-        <source>has a tag that does not end</source>
-        <translation>a une balise qui ne finit pas</translation>
-    </message>
-    <message>
-        <source>has more than %1 elements</source>
-        <translation>a plus de %1 éléments</translation>
-    </message>
-    <message>
-        <source>is nested too deeply (more than %1 elements)</source>
-        <translation>est trop imbriqué (plus de %1 éléments)</translation>
-    </message>
-    <message>
-        <source>has a tag that is not valid XML</source>
-        <translation>a une balise qui n&apos;est pas du XML valide</translation>
-    </message>
-    <message>
-        <source>has an element with more than %1 attributes</source>
-        <translation>a un élément avec plus de %1 attributs</translation>
-    </message>
-    <message>
-        <source>has an attribute without a value</source>
-        <translation>a un attribut sans valeur</translation>
-    </message>
-    <message>
-        <source>has an attribute whose value is not quoted</source>
-        <translation>a un attribut dont la valeur n&apos;est pas entre guillemets</translation>
-    </message>
-    <message>
-        <source>has an attribute whose value does not end</source>
-        <translation>a un attribut dont la valeur ne finit pas</translation>
-    </message>
-    <message>
-        <source>has &apos;&lt;&apos; in the value of an attribute, which XML writes as &amp;lt;</source>
-        <translation>a «&#xa0;&lt;&#xa0;» dans la valeur d&apos;un attribut, ce que XML écrit &amp;lt;</translation>
-    </message>
-    <message>
-        <source>has a tag or an attribute without a name</source>
-        <translation>a une balise ou un attribut sans nom</translation>
-    </message>
-    <message>
-        <source>holds no geometry</source>
-        <translation>ne contient aucune géométrie</translation>
-    </message>
-    <message>
-        <source>ends before its last chunk</source>
-        <translation>finit avant son dernier bloc</translation>
-    </message>
-    <message>
-        <source>has the unknown component type %1</source>
-        <translation>a le type de composante inconnu %1</translation>
-    </message>
-    <message>
-        <source>goes beyond the end of its data</source>
-        <translation>va au-delà de la fin de ses données</translation>
-    </message>
-    <message>
-        <source>has no whole number &apos;%1&apos;</source>
-        <translation>n&apos;a pas de nombre entier «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>is not a glTF file: its JSON is malformed or cut off</source>
-        <translation>n&apos;est pas un fichier glTF&#xa0;: son JSON est mal formé ou tronqué</translation>
-    </message>
-    <message>
-        <source>is of version %1; only 2 is read</source>
-        <translation>est de la version %1&#xa0;; seule la version 2 est lue</translation>
-    </message>
-    <message>
-        <source>claims a length of %1 bytes but is only %2 bytes long</source>
-        <translation>annonce %1 octets mais n&apos;en a que %2</translation>
-    </message>
-    <message>
-        <source>has a &apos;uri&apos; that is no text</source>
-        <translation>a un «&#xa0;uri&#xa0;» qui n&apos;est pas un texte</translation>
-    </message>
-    <message>
-        <source>keeps its data in a file of its own (%1)</source>
-        <translation>garde ses données dans un fichier séparé (%1)</translation>
-    </message>
-    <message>
-        <source>a file of its own</source>
-        <translation>un fichier séparé</translation>
-    </message>
-    <message>
-        <source>file of its own</source>
-        <translation>fichier séparé</translation>
-    </message>
-    <message>
-        <source>holds data that is not base64</source>
-        <translation>contient des données qui ne sont pas en base64</translation>
-    </message>
-    <message>
-        <source>names a buffer that does not exist</source>
-        <translation>nomme un tampon qui n&apos;existe pas</translation>
-    </message>
-    <message>
-        <source>is not of the type %1</source>
-        <translation>n&apos;est pas du type %1</translation>
-    </message>
-    <message>
-        <source>has no data</source>
-        <translation>n&apos;a pas de données</translation>
-    </message>
-    <message>
-        <source>has no element</source>
-        <translation>n&apos;a aucun élément</translation>
-    </message>
-    <message>
-        <source>claims %1 elements, more than its data holds</source>
-        <translation>annonce %1 éléments, plus que ses données n&apos;en contiennent</translation>
-    </message>
-    <message>
-        <source>has no indices or no values</source>
-        <translation>n&apos;a pas d&apos;indices ou pas de valeurs</translation>
-    </message>
-    <message>
-        <source>claims more elements than the file has bytes</source>
-        <translation>annonce plus d&apos;éléments que le fichier n&apos;a d&apos;octets</translation>
-    </message>
-    <message>
-        <source>has an index that does not exist</source>
-        <translation>a un indice qui n&apos;existe pas</translation>
-    </message>
-    <message>
-        <source>requires the extension %1, which is not read</source>
-        <translation>exige l&apos;extension %1, qui n&apos;est pas lue</translation>
-    </message>
-    <message>
-        <source>has a &apos;%1&apos; that is not %2 numbers</source>
-        <translation>a un «&#xa0;%1&#xa0;» qui n&apos;est pas fait de %2 nombres</translation>
-    </message>
-    <message>
-        <source>has a rotation of length zero</source>
-        <translation>a une rotation de norme nulle</translation>
-    </message>
-    <message>
-        <source>has %1 corners, which are not whole triangles</source>
-        <translation>a %1 sommets, qui ne font pas des triangles entiers</translation>
-    </message>
-    <message>
-        <source>names a node that is no number</source>
-        <translation>nomme un nœud qui n&apos;est pas un nombre</translation>
-    </message>
-    <message>
-        <source>names node %1, which is in the scene already</source>
-        <translation>nomme le nœud %1, qui est déjà dans la scène</translation>
-    </message>
-    <message>
-        <source>has instances by the extension &apos;EXT_mesh_gpu_instancing&apos;, which is not read</source>
-        <translation>a des instances par l&apos;extension «&#xa0;EXT_mesh_gpu_instancing&#xa0;», qui n&apos;est pas lue</translation>
-    </message>
-    <message>
-        <source>%1: has a skin, which is not applied</source>
-        <translation>%1&#xa0;: a une peau («&#xa0;skin&#xa0;»), qui n&apos;est pas appliquée</translation>
-    </message>
-    <message>
-        <source>has no primitives</source>
-        <translation>n&apos;a pas de primitives</translation>
-    </message>
-    <message>
-        <source>has the unknown mode %1</source>
-        <translation>a le mode inconnu %1</translation>
-    </message>
-    <message>
-        <source>%1: has morph targets, which are not applied</source>
-        <translation>%1&#xa0;: a des cibles de morphage, qui ne sont pas appliquées</translation>
-    </message>
-    <message>
-        <source>has a position that is not a finite number</source>
-        <translation>a une position qui n&apos;est pas un nombre fini</translation>
-    </message>
-    <message>
-        <source>has vertex %1 in its indices, but %2 vertices</source>
-        <translation>a le sommet %1 dans ses indices, mais %2 sommets</translation>
-    </message>
-    <message>
-        <source>has JSON values of the wrong types</source>
-        <translation>a des valeurs JSON de mauvais type</translation>
-    </message>
-    <message>
-        <source>the last line has no end; the file may be cut off</source>
-        <translation>la dernière ligne n&apos;a pas de fin&#xa0;; le fichier est peut-être tronqué</translation>
-    </message>
-    <message>
-        <source>line %1: the last line has no end; the file may be cut off</source>
-        <translation>ligne %1&#xa0;: la dernière ligne n&apos;a pas de fin&#xa0;; le fichier est peut-être tronqué</translation>
-    </message>
-    <message>
-        <source>has a free-form curve or surface (%1), which is not read</source>
-        <translation>a une courbe ou une surface de forme libre (%1), qui n&apos;est pas lue</translation>
-    </message>
-    <message>
-        <source>begins with %1, which is not a statement of an OBJ file</source>
-        <translation>commence par %1, qui n&apos;est pas une instruction d&apos;un fichier OBJ</translation>
-    </message>
-    <message>
-        <source>the coordinate</source>
-        <translation>la coordonnée</translation>
-    </message>
-    <message>
-        <source>the weight</source>
-        <translation>le poids</translation>
-    </message>
-    <message>
-        <source>the number</source>
-        <translation>le nombre</translation>
-    </message>
-    <message>
-        <source>has a vertex with a weight other than 1</source>
-        <translation>a un sommet dont le poids n&apos;est pas 1</translation>
-    </message>
-    <message>
-        <source>has a face of %1</source>
-        <translation>a une face de %1</translation>
-    </message>
-    <message>
-        <source>has a face whose outline crosses itself</source>
-        <translation>a une face dont le contour se recoupe</translation>
-    </message>
-    <message>
-        <source>has the corner %1, which is not of the form a/b/c</source>
-        <translation>a le coin %1, qui n&apos;est pas de la forme a/b/c</translation>
-    </message>
-    <message>
-        <source>texture coordinate</source>
-        <translation>coordonnée de texture</translation>
-    </message>
-    <message>
-        <source>has %1 where the number of a %2 is expected</source>
-        <translation>a %1 là où un numéro est attendu (%2)</translation>
-    </message>
-    <message>
-        <source>has a face with %1 %2, but the file has %3</source>
-        <translation>a une face avec %1 %2, mais le fichier en a %3</translation>
-    </message>
-    <message>
-        <source>has %1 where a type of numbers is expected</source>
-        <translation>a %1 là où un type de nombres est attendu</translation>
-    </message>
-    <message>
-        <source>has the unknown format %1</source>
-        <translation>a le format inconnu %1</translation>
-    </message>
-    <message>
-        <source>has %1 where a number of elements is expected</source>
-        <translation>a %1 là où un nombre d&apos;éléments est attendu</translation>
-    </message>
-    <message>
-        <source>has a property without a name</source>
-        <translation>a une propriété sans nom</translation>
-    </message>
-    <message>
-        <source>claims %1 of %2 but is only %3 bytes long</source>
-        <translation>annonce %1 de %2 mais n&apos;a que %3 octets</translation>
-    </message>
-    <message>
-        <source>does not begin with &apos;ply&apos;</source>
-        <translation>ne commence pas par «&#xa0;ply&#xa0;»</translation>
-    </message>
-    <message>
-        <source>has a property before any element</source>
-        <translation>a une propriété avant tout élément</translation>
-    </message>
-    <message>
-        <source>does not say its format before &apos;end_header&apos;</source>
-        <translation>n&apos;indique pas son format avant «&#xa0;end_header&#xa0;»</translation>
-    </message>
-    <message>
-        <source>ends after its header</source>
-        <translation>finit après son en-tête</translation>
-    </message>
-    <message>
-        <source>has %1 in its header</source>
-        <translation>a %1 dans son en-tête</translation>
-    </message>
-    <message>
-        <source>ends before &apos;end_header&apos;</source>
-        <translation>finit avant «&#xa0;end_header&#xa0;»</translation>
-    </message>
-    <message>
-        <source>ends before its last element</source>
-        <translation>finit avant son dernier élément</translation>
-    </message>
-    <message>
-        <source>has a number that is not finite</source>
-        <translation>a un nombre qui n&apos;est pas fini</translation>
-    </message>
-    <message>
-        <source>holds triangle strips, which are not read</source>
-        <translation>contient des bandes de triangles, qui ne sont pas lues</translation>
-    </message>
-    <message>
-        <source>goes on after the elements that its header claims</source>
-        <translation>continue après les éléments qu&apos;annonce son en-tête</translation>
-    </message>
-    <message>
-        <source>has a list of an impossible length</source>
-        <translation>a une liste d&apos;une longueur impossible</translation>
-    </message>
-    <message>
-        <source>has vertices without x, y and z</source>
-        <translation>a des sommets sans x, y et z</translation>
-    </message>
-    <message>
-        <source>has faces before its vertices</source>
-        <translation>a des faces avant ses sommets</translation>
-    </message>
-    <message>
-        <source>has faces without a list &apos;vertex_indices&apos;</source>
-        <translation>a des faces sans liste «&#xa0;vertex_indices&#xa0;»</translation>
-    </message>
-    <message>
-        <source>has a face of %1 corners</source>
-        <translation>a une face de %1 sommets</translation>
-    </message>
-    <message>
-        <source>has a face with vertex %1, but the file has %2</source>
-        <translation>a une face avec le sommet %1, mais le fichier en a %2</translation>
-    </message>
-    <message>
-        <source>has a facet with more than three corners</source>
-        <translation>a une facette de plus de trois sommets</translation>
-    </message>
-    <message>
-        <source>has a facet normal with fewer than three numbers</source>
-        <translation>a une normale de facette de moins de trois nombres</translation>
-    </message>
-    <message>
-        <source>ends before &apos;endsolid&apos;</source>
-        <translation>finit avant «&#xa0;endsolid&#xa0;»</translation>
-    </message>
-    <message>
-        <source>ends before %1</source>
-        <translation>finit avant %1</translation>
-    </message>
-    <message>
-        <source>has %1 where &apos;%2&apos; is expected</source>
-        <translation>a %1 là où «&#xa0;%2&#xa0;» est attendu</translation>
-    </message>
-    <message>
-        <source>is too short for an STL file</source>
-        <translation>est trop court pour un fichier STL</translation>
-    </message>
-    <message>
-        <source>claims %1 triangles but is only %2 bytes long</source>
-        <translation>annonce %1 triangles mais n&apos;a que %2 octets</translation>
-    </message>
-    <message>
-        <source>goes on after the %1 triangles that it claims to have</source>
-        <translation>continue après les %1 triangles qu&apos;il annonce</translation>
-    </message>
-    <message>
-        <source>has a coordinate that is not a finite number</source>
-        <translation>a une coordonnée qui n&apos;est pas un nombre fini</translation>
-    </message>
-    <message>
-        <source>%1 %2 is not a number</source>
-        <translation>%1 %2 n&apos;est pas un nombre</translation>
-    </message>
-    <message>
-        <source>%1 %2 is not a finite number</source>
-        <translation>%1 %2 n&apos;est pas un nombre fini</translation>
-    </message>
-    <message>
-        <source>%1 is neither true nor false</source>
-        <translation>%1 n&apos;est ni vrai ni faux</translation>
-    </message>
-    <message>
-        <source>Give true or false.</source>
-        <translation>Donnez true ou false.</translation>
-    </message>
-    <message>
-        <source>%1 is not a number</source>
-        <translation>%1 n&apos;est pas un nombre</translation>
-    </message>
-    <message>
-        <source>%1 is not a whole number</source>
-        <translation>%1 n&apos;est pas un nombre entier</translation>
-    </message>
-    <message>
-        <source>%1 is %2, which is out of range</source>
-        <translation>%1 vaut %2, ce qui est hors limites</translation>
-    </message>
-    <message>
-        <source>%1 is not a text</source>
-        <translation>%1 n&apos;est pas un texte</translation>
-    </message>
-    <message>
-        <source>Give a text.</source>
-        <translation>Donnez un texte.</translation>
-    </message>
-    <message>
-        <source>%1 is not one of its choices</source>
-        <translation>%1 n&apos;est pas l&apos;un de ses choix</translation>
-    </message>
-    <message>
-        <source>Give one of %1.</source>
-        <translation>Donnez l&apos;une de ces valeurs&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>the attribute name &apos;%1&apos; is not a word</source>
-        <translation>le nom d&apos;attribut «&#xa0;%1&#xa0;» n&apos;est pas un mot</translation>
-    </message>
-    <message>
-        <source>Use lower-case letters, digits and &apos;_&apos;, a letter first.</source>
-        <translation>Utilisez des minuscules, des chiffres et «&#xa0;_&#xa0;», en commençant par une lettre.</translation>
-    </message>
-    <message>
-        <source>there is an attribute &apos;%1&apos; already</source>
-        <translation>il y a déjà un attribut «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>the attribute &apos;%1&apos; has no choices</source>
-        <translation>l&apos;attribut «&#xa0;%1&#xa0;» n&apos;a pas de choix</translation>
-    </message>
-    <message>
-        <source>Give at least one.</source>
-        <translation>Donnez-en au moins un.</translation>
-    </message>
-    <message>
-        <source>the attribute &apos;%1&apos; has a choice without a name</source>
-        <translation>l&apos;attribut «&#xa0;%1&#xa0;» a un choix sans nom</translation>
-    </message>
-    <message>
-        <source>Remove it.</source>
-        <translation>Supprimez-le.</translation>
-    </message>
-    <message>
-        <source>the attribute &apos;%1&apos; has the choice &apos;%2&apos; twice</source>
-        <translation>l&apos;attribut «&#xa0;%1&#xa0;» a deux fois le choix «&#xa0;%2&#xa0;»</translation>
-    </message>
-    <message>
-        <source>Remove one.</source>
-        <translation>Supprimez-en un.</translation>
-    </message>
-    <message>
-        <source>the attribute &apos;%1&apos; has a minimum above its maximum</source>
-        <translation>l&apos;attribut «&#xa0;%1&#xa0;» a un minimum supérieur à son maximum</translation>
-    </message>
-    <message>
-        <source>Swap them.</source>
-        <translation>Échangez-les.</translation>
-    </message>
-    <message>
-        <source>the parents of the class &apos;%1&apos; form a cycle</source>
-        <translation>les classes mères de la classe «&#xa0;%1&#xa0;» forment un cycle</translation>
-    </message>
-    <message>
-        <source>Correct &apos;of&apos;.</source>
-        <translation>Corrigez «&#xa0;of&#xa0;».</translation>
-    </message>
-    <message>
-        <source>the class &apos;%1&apos; is of &apos;%2&apos;, which is not a class</source>
-        <translation>la classe «&#xa0;%1&#xa0;» est de «&#xa0;%2&#xa0;», qui n&apos;est pas une classe</translation>
-    </message>
-    <message>
-        <source>edits the same place as /places/%1</source>
-        <translation>modifie le même lieu que /places/%1</translation>
-    </message>
-    <message>
-        <source>Merge the two edits: where they differ, the later one applies.</source>
-        <translation>Réunissez les deux modifications&#xa0;: là où elles diffèrent, la seconde s&apos;applique.</translation>
-    </message>
-    <message>
-        <source>has the name &apos;%1&apos;, which another place has already</source>
-        <translation>porte le nom «&#xa0;%1&#xa0;», qu&apos;un autre lieu porte déjà</translation>
-    </message>
-    <message>
-        <source>lies in no place and near none, so the edit has no effect</source>
-        <translation>n&apos;est dans aucun lieu ni près d&apos;aucun&#xa0;: la modification n&apos;a pas d&apos;effet</translation>
-    </message>
-    <message>
-        <source>Move its &quot;at&quot; into the place that it is about.</source>
-        <translation>Déplacez son «&#xa0;at&#xa0;» dans le lieu concerné.</translation>
-    </message>
-    <message>
-        <source>lies in no place; the edit applies to the nearest place, %1</source>
-        <translation>n&apos;est dans aucun lieu&#xa0;; la modification s&apos;applique au lieu le plus proche, %1</translation>
-    </message>
-    <message>
-        <source>Edit that place once more, or move its &quot;at&quot; into the place that it is about.</source>
-        <translation>Modifiez de nouveau ce lieu, ou déplacez son «&#xa0;at&#xa0;» dans le lieu concerné.</translation>
-    </message>
-    <message>
-        <source>lies in no border of two places and near none, so the edit has no effect</source>
-        <translation>n&apos;est sur aucune frontière de deux lieux ni près d&apos;aucune&#xa0;: la modification n&apos;a pas d&apos;effet</translation>
-    </message>
-    <message>
-        <source>Move its &quot;at&quot; to where the two places meet.</source>
-        <translation>Déplacez son «&#xa0;at&#xa0;» là où les deux lieux se touchent.</translation>
-    </message>
-    <message>
-        <source>is too small for this workspace</source>
-        <translation>est trop petit pour cet espace de travail</translation>
-    </message>
-    <message>
-        <source>Give 0, or at least %1.</source>
-        <translation>Donnez 0, ou au moins %1.</translation>
-    </message>
-    <message>
-        <source>is out of range</source>
-        <translation>est hors limites</translation>
-    </message>
-    <message>
-        <source>names no way to find places: &apos;%1&apos;</source>
-        <translation>ne nomme aucune méthode de recherche des lieux&#xa0;: «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>Grows places from the coarsest free cells down (Cailhol et al. 2019, section 5.1.2).</source>
-        <translation>Fait croître les lieux à partir des cellules libres les plus grosses (Cailhol et al. 2019, section 5.1.2).</translation>
-    </message>
-    <message>
-        <source>Floods the distance transform from its widest spots (Meyer 1994).</source>
-        <translation>Inonde la transformée de distance à partir de ses points les plus larges (Meyer 1994).</translation>
-    </message>
-    <message>
-        <source>reading the gamepad</source>
-        <translation>lecture de la manette</translation>
-    </message>
-    <message>
-        <source>disconnecting the gamepad</source>
-        <translation>déconnexion de la manette</translation>
-    </message>
-    <message>
-        <source>reading the 6D mouse</source>
-        <translation>lecture de la souris 6D</translation>
-    </message>
-    <message>
-        <source>disconnecting the 6D mouse</source>
-        <translation>déconnexion de la souris 6D</translation>
-    </message>
-    <message>
-        <source>stopping the haptic device</source>
-        <translation>arrêt du périphérique haptique</translation>
-    </message>
-    <message>
-        <source>the direct way to the goal is blocked</source>
-        <translation>le trajet direct vers le but est bloqué</translation>
-    </message>
-    <message>
-        <source>the direct way to the goal is not free</source>
-        <translation>le trajet direct vers le but n&apos;est pas libre</translation>
-    </message>
-    <message>
-        <source>Linear interpolation</source>
-        <translation>Interpolation linéaire</translation>
-    </message>
-    <message>
-        <source>The straight motion, where it is free.</source>
-        <translation>Le mouvement rectiligne, là où il est libre.</translation>
-    </message>
-    <message>
-        <source>One tree (LaValle 1998).</source>
-        <translation>Un seul arbre (LaValle 1998).</translation>
-    </message>
-    <message>
-        <source>Potential field</source>
-        <translation>Champ de potentiel</translation>
-    </message>
-    <message>
-        <source>Down the slope to the goal (Khatib 1985).</source>
-        <translation>Descente du gradient vers le but (Khatib 1985).</translation>
-    </message>
-    <message>
-        <source>the object is in the thread of %1, which would turn with it</source>
-        <translation>l&apos;objet est dans le filetage de %1, qui tournerait avec lui</translation>
-    </message>
-    <message>
-        <source>the object is in the threads of %1, which no turn leaves at the same time: their axes or pitches differ</source>
-        <translation>l&apos;objet est dans les filetages de %1, qu&apos;aucune rotation ne dévisse en même temps&#xa0;: leurs axes ou leurs pas diffèrent</translation>
-    </message>
-    <message>
-        <source>the object cannot be turned out of the thread of %1, because %2</source>
-        <translation>l&apos;objet ne peut pas être dévissé du filetage de %1&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>it has no room</source>
-        <translation>il n&apos;a pas la place</translation>
-    </message>
-    <message>
-        <source>%1 is in the way</source>
-        <translation>%1 fait obstacle</translation>
-    </message>
-    <message>
-        <source>Remove what is named first, or change the thread.</source>
-        <translation>Retirez d&apos;abord ce qui est nommé, ou changez le filetage.</translation>
-    </message>
-    <message>
-        <source>no screw motion out of the modelled thread is free</source>
-        <translation>aucun mouvement de dévissage du filetage modélisé n&apos;est libre</translation>
-    </message>
-    <message>
-        <source>no clear position was found within %1 mm</source>
-        <translation>aucune position dégagée n&apos;a été trouvée à moins de %1 mm</translation>
-    </message>
-    <message>
-        <source>the object is nearer to &apos;%1&apos; than the required clearance</source>
-        <translation>l&apos;objet est plus près de «&#xa0;%1&#xa0;» que le jeu exigé</translation>
-    </message>
-    <message>
-        <source>the object touches &apos;%1&apos;</source>
-        <translation>l&apos;objet touche «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>the object overlaps &apos;%1&apos; by %2 mm</source>
-        <translation>l&apos;objet recouvre «&#xa0;%1&#xa0;» de %2 mm</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; was not expected</source>
-        <translation>«&#xa0;%1&#xa0;» n&apos;était pas attendu</translation>
-    </message>
-    <message>
-        <source>%1 stands where a number is needed</source>
-        <translation>%1 est là où il faut un nombre</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is missing</source>
-        <translation>«&#xa0;%1&#xa0;» manque</translation>
-    </message>
-    <message>
-        <source>the rule ends too early</source>
-        <translation>la règle finit trop tôt</translation>
-    </message>
-    <message>
-        <source>a text is not closed</source>
-        <translation>un texte n&apos;est pas fermé</translation>
-    </message>
-    <message>
-        <source>the name &apos;%1&apos; is unknown</source>
-        <translation>le nom «&#xa0;%1&#xa0;» est inconnu</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; has the wrong number of arguments</source>
-        <translation>«&#xa0;%1&#xa0;» n&apos;a pas le bon nombre d&apos;arguments</translation>
-    </message>
-    <message>
-        <source>the rule is nested too deeply</source>
-        <translation>la règle est trop imbriquée</translation>
-    </message>
-    <message>
-        <source>End it with {&quot;when&quot;: &quot;1&quot;, ...}.</source>
-        <translation>Terminez-la par {&quot;when&quot;: &quot;1&quot;, ...}.</translation>
-    </message>
-    <message>
-        <source>divides by zero %1</source>
-        <translation>divise par zéro %1</translation>
-    </message>
-    <message>
-        <source>gives the negative cost %1 %2</source>
-        <translation>donne le coût négatif %1 %2</translation>
-    </message>
-    <message>
-        <source>A cost is 0 or more: correct the rule %1</source>
-        <translation>Un coût vaut 0 ou plus&#xa0;: corrigez la règle %1</translation>
-    </message>
-    <message>
-        <source>between %1 and %2</source>
-        <translation>entre %1 et %2</translation>
-    </message>
-    <message>
-        <source>in place %1</source>
-        <translation>dans le lieu %1</translation>
-    </message>
-    <message>
-        <source>the topological graph has no way from start to goal</source>
-        <translation>le graphe topologique n&apos;a aucun trajet du départ au but</translation>
-    </message>
-    <message>
-        <source>forbidden: %1</source>
-        <translation>interdits&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>of infinite cost by the rules: %1</source>
-        <translation>de coût infini d&apos;après les règles&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Check the semantic attributes of the places, or use strategy G.</source>
-        <translation>Vérifiez les attributs sémantiques des lieux, ou prenez la stratégie G.</translation>
-    </message>
-    <message>
-        <source>no free milestone in border %1</source>
-        <translation>pas de jalon libre dans la frontière %1</translation>
-    </message>
-    <message>
-        <source>crossed before</source>
-        <translation>déjà traversé</translation>
-    </message>
-    <message>
-        <source>place %1 was not crossed</source>
-        <translation>le lieu %1 n&apos;a pas été traversé</translation>
-    </message>
-    <message>
-        <source>the whole workspace</source>
-        <translation>tout l&apos;espace de travail</translation>
-    </message>
-    <message>
-        <source>searched from start to goal after the coarse paths</source>
-        <translation>recherche du départ au but après les chemins grossiers</translation>
-    </message>
-    <message>
-        <source>the steps together cannot be certified</source>
-        <translation>les étapes ensemble ne peuvent pas être certifiées</translation>
-    </message>
-    <message>
-        <source>Please report it with the scenario and the seed.</source>
-        <translation>Signalez-le avec le scénario et la graine.</translation>
-    </message>
-    <message>
-        <source>geometrical planner, then %1</source>
-        <translation>planificateur géométrique, puis %1</translation>
-    </message>
-    <message>
-        <source>a straight crossing fits, so linear</source>
-        <translation>une traversée rectiligne convient, donc linear</translation>
-    </message>
-    <message>
-        <source>complexity %1, cluttered, so %2</source>
-        <translation>complexité %1, encombré, donc %2</translation>
-    </message>
-    <message>
-        <source>complexity %1, so %2</source>
-        <translation>complexité %1, donc %2</translation>
-    </message>
-    <message>
-        <source>blocked, so %1</source>
-        <translation>bloqué, donc %1</translation>
-    </message>
-    <message>
-        <source>preparing OMPL&apos;s planner</source>
-        <translation>préparation du planificateur d&apos;OMPL</translation>
-    </message>
-    <message>
-        <source>planning with OMPL</source>
-        <translation>planification avec OMPL</translation>
-    </message>
-    <message>
-        <source>reading OMPL&apos;s roadmap</source>
-        <translation>lecture du graphe d&apos;OMPL</translation>
-    </message>
-    <message>
-        <source>Choose another planner.</source>
-        <translation>Choisissez une autre stratégie.</translation>
-    </message>
-    <message>
-        <source>Lower %1, or plan with &apos;auto&apos;.</source>
-        <translation>Réduisez %1, ou planifiez avec «&#xa0;auto&#xa0;».</translation>
-    </message>
-    <message>
-        <source>names the body &apos;%1&apos;, which is not there</source>
-        <translation>nomme le corps «&#xa0;%1&#xa0;», qui n&apos;existe pas</translation>
-    </message>
-    <message>
-        <source>See &apos;glissade-cli fits&apos; for the names.</source>
-        <translation>Les noms sont ceux de «&#xa0;glissade-cli fits&#xa0;».</translation>
-    </message>
-    <message>
-        <source>allows for &apos;%1&apos; and &apos;%2&apos;, which do not touch where they are assembled</source>
-        <translation>donne un amincissement à «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;», qui ne se touchent pas en position assemblée</translation>
-    </message>
-    <message>
-        <source>Remove the allowance.</source>
-        <translation>Supprimez l&apos;amincissement.</translation>
-    </message>
-    <message>
-        <source>allows %1, more than the thickness of &apos;%2&apos; or of &apos;%3&apos; gives</source>
-        <translation>admet %1, plus que n&apos;en permet l&apos;épaisseur de «&#xa0;%2&#xa0;» ou de «&#xa0;%3&#xa0;»</translation>
-    </message>
-    <message>
-        <source>Give at most %1.</source>
-        <translation>Donnez au plus %1.</translation>
-    </message>
-    <message>
-        <source>calls &apos;%1&apos; and &apos;%2&apos; a thread, but no shaft of the one is on the axis of a hole of the other</source>
-        <translation>donne «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» pour un filetage, mais aucun arbre de l&apos;un n&apos;est sur l&apos;axe d&apos;un alésage de l&apos;autre</translation>
-    </message>
-    <message>
-        <source>Give another kind.</source>
-        <translation>Donnez un autre type.</translation>
-    </message>
-    <message>
-        <source>overlap by %1, which is a clash</source>
-        <translation>se recouvrent de %1, ce qui est une collision</translation>
-    </message>
-    <message>
-        <source>overlap by %1 without being a fit, a thread or a press</source>
-        <translation>se recouvrent de %1 sans être ni un ajustement, ni un filetage, ni un emmanchement</translation>
-    </message>
-    <message>
-        <source>Mend the parts, or say what kind of fit they are.</source>
-        <translation>Corrigez les pièces, ou dites quel type d&apos;ajustement elles forment.</translation>
-    </message>
-    <message>
-        <source>%1 more pairs overlap in the same way</source>
-        <translation>%1 autres paires se recouvrent de la même façon</translation>
-    </message>
-    <message>
-        <source>See &apos;glissade-cli fits&apos; for all of them.</source>
-        <translation>Voyez «&#xa0;glissade-cli fits&#xa0;» pour les connaître toutes.</translation>
-    </message>
-    <message>
-        <source>overlap by %1, and which of the two is cut is not clear</source>
-        <translation>se recouvrent de %1, et on ne sait pas lequel des deux est découpé</translation>
-    </message>
-    <message>
-        <source>Name the one that is cut (--cut NAME), or mend the parts.</source>
-        <translation>Nommez celui qui est découpé (--cut NAME), ou corrigez les pièces.</translation>
-    </message>
-    <message>
-        <source>overlap by %1, and neither can be cut and stay in one piece</source>
-        <translation>se recouvrent de %1, et aucun des deux ne peut être découpé et rester d&apos;un seul tenant</translation>
-    </message>
-    <message>
-        <source>Accept it (--accept-clashes %1), or mend the parts.</source>
-        <translation>Acceptez-la (--accept-clashes %1), ou corrigez les pièces.</translation>
-    </message>
-    <message>
-        <source>Close the surface of one of them.</source>
-        <translation>Fermez la surface de l&apos;un des deux.</translation>
-    </message>
-    <message>
-        <source>fit so that one of them would have to be taken %1 thinner, which the local thickness or the shape of neither gives: it counts as a clash</source>
-        <translation>s&apos;ajustent de telle sorte que l&apos;un des deux devrait être aminci de %1, ce que ni leur épaisseur locale ni leur forme ne permettent&#xa0;: c&apos;est une collision</translation>
-    </message>
-    <message>
-        <source>is left out</source>
-        <translation>est écarté</translation>
-    </message>
-    <message>
-        <source>Proofs are about the product without it.</source>
-        <translation>Les preuves portent sur le produit sans lui.</translation>
-    </message>
-    <message>
-        <source>leaves no body</source>
-        <translation>ne laisse aucun corps</translation>
-    </message>
-    <message>
-        <source>Name fewer bodies.</source>
-        <translation>Nommez moins de corps.</translation>
-    </message>
-    <message>
-        <source>fill the same place (%1 % of the larger one): they may be variants of one part</source>
-        <translation>remplissent la même place (%1 % du plus grand)&#xa0;: ce sont peut-être des variantes d&apos;une même pièce</translation>
-    </message>
-    <message>
-        <source>Leave one out (--without %1).</source>
-        <translation>Écartez-en un (--without %1).</translation>
-    </message>
-    <message>
-        <source>Mend the parts.</source>
-        <translation>Corrigez les pièces.</translation>
-    </message>
-    <message>
-        <source>against %1</source>
-        <translation>face à %1</translation>
-    </message>
-    <message>
-        <source>it was to leave as step %1, and no motion was found there</source>
-        <translation>elle devait sortir à l&apos;étape %1, et aucun mouvement n&apos;y a été trouvé</translation>
-    </message>
-    <message>
-        <source>it is demanded that %1 leaves before</source>
-        <translation>il est exigé que %1 sorte avant</translation>
-    </message>
-    <message>
-        <source>it and %1 hold each other: neither was found to leave alone, nor both as one; motions of several bodies at the same time are not searched</source>
-        <translation>elle et %1 se bloquent mutuellement&#xa0;: aucun mouvement n&apos;a été trouvé, ni pour l&apos;une seule, ni pour les deux ensemble&#xa0;; les mouvements simultanés de plusieurs corps ne sont pas cherchés</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is one part of %2 solids that do not touch each other: take these as parts (--open &quot;%3&quot;, or &quot;Groups and solids are parts&quot; in the list of parts)</source>
-        <translation>«&#xa0;%1&#xa0;» est une pièce de %2 solides qui ne se touchent pas&#xa0;: prenez-les comme des pièces (--open &quot;%3&quot;, ou «&#xa0;Groupes et solides sont des pièces&#xa0;» dans la liste des pièces)</translation>
-    </message>
-    <message>
-        <source>overlap by %1, because the insert is pressed or melted in</source>
-        <translation>se recouvrent de %1, car l&apos;insert est pressé ou fondu dans la pièce</translation>
-    </message>
-    <message>
-        <source>It leaves with its host. To press it out, accept the clash (--accept-clashes %1) and say so of the joint.</source>
-        <translation>Il sort avec sa pièce. Pour l&apos;en extraire, acceptez la collision (--accept-clashes %1) et dites-le de la liaison.</translation>
-    </message>
-    <message>
-        <source>the motion that a person gave it is not free</source>
-        <translation>le mouvement donné à la main n&apos;est pas libre</translation>
-    </message>
-    <message>
-        <source>no motion was found in a direction that is not forbidden</source>
-        <translation>aucun mouvement n&apos;a été trouvé dans une direction permise</translation>
-    </message>
-    <message>
-        <source>no motion was found, alone or with others</source>
-        <translation>aucun mouvement n&apos;a été trouvé, ni seule ni avec d&apos;autres</translation>
-    </message>
-    <message>
-        <source>it is held by %1 in %2, and no free turn out of it was found: free the way, or dissolve the joint</source>
-        <translation>elle est tenue par %1 dans %2, et aucune rotation libre ne l&apos;en sort&#xa0;: dégagez le passage, ou dissolvez la liaison</translation>
-    </message>
-    <message>
-        <source>it is between parts that are pressed together: press one of them out</source>
-        <translation>elle est entre des pièces emmanchées l&apos;une dans l&apos;autre : en extraire une</translation>
-    </message>
-    <message>
-        <source>held by %1: remove these first</source>
-        <translation>tenue par %1&#xa0;: retirez-les d&apos;abord</translation>
-    </message>
-    <message>
-        <source>held by %1: remove these first; &apos;%2&apos; is captive: &apos;%3&apos; is in its way</source>
-        <translation>tenue par %1&#xa0;: retirez-les d&apos;abord&#xa0;; «&#xa0;%2&#xa0;» est imperdable&#xa0;: «&#xa0;%3&#xa0;» est sur son chemin</translation>
-    </message>
-    <message>
-        <source>a demand names &apos;%1&apos;, which is not a body of the product</source>
-        <translation>une exigence nomme «&#xa0;%1&#xa0;», qui n&apos;est pas un corps du produit</translation>
-    </message>
-    <message>
-        <source>a demand about a step names no body</source>
-        <translation>une exigence sur une étape ne nomme aucun corps</translation>
-    </message>
-    <message>
-        <source>Name the bodies that leave.</source>
-        <translation>Nommez les corps qui sortent.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is in two steps or groups that are demanded</source>
-        <translation>«&#xa0;%1&#xa0;» est dans deux étapes ou groupes exigés</translation>
-    </message>
-    <message>
-        <source>Name the same bodies in both, or remove one.</source>
-        <translation>Nommez les mêmes corps dans les deux, ou supprimez-en un.</translation>
-    </message>
-    <message>
-        <source>two steps are demanded at place %1</source>
-        <translation>deux étapes sont exigées à la place %1</translation>
-    </message>
-    <message>
-        <source>Give each a place of its own, from 1.</source>
-        <translation>Donnez à chacune sa propre place, à partir de 1.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is demanded at two places</source>
-        <translation>«&#xa0;%1&#xa0;» est exigé à deux places</translation>
-    </message>
-    <message>
-        <source>Remove one of them.</source>
-        <translation>Supprimez l&apos;une d&apos;elles.</translation>
-    </message>
-    <message>
-        <source>a demanded motion has fewer than two configurations</source>
-        <translation>un mouvement exigé a moins de deux configurations</translation>
-    </message>
-    <message>
-        <source>Give two configurations.</source>
-        <translation>Donnez deux configurations.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; has two demanded motions</source>
-        <translation>«&#xa0;%1&#xa0;» a deux mouvements exigés</translation>
-    </message>
-    <message>
-        <source>a direction that is forbidden to &apos;%1&apos; has no length</source>
-        <translation>une direction interdite à «&#xa0;%1&#xa0;» est de longueur nulle</translation>
-    </message>
-    <message>
-        <source>Give three numbers, as 0 0 -1.</source>
-        <translation>Donnez trois nombres, comme 0 0 -1.</translation>
-    </message>
-    <message>
-        <source>names &apos;%1&apos;, which is not a body of the product</source>
-        <translation>nomme «&#xa0;%1&#xa0;», qui n&apos;est pas un corps du produit</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is demanded to leave with others twice</source>
-        <translation>«&#xa0;%1&#xa0;» est deux fois exigé dans un groupe</translation>
-    </message>
-    <message>
-        <source>Name each body once.</source>
-        <translation>Nommez chaque corps une seule fois.</translation>
-    </message>
-    <message>
-        <source>the demands about the order form a cycle</source>
-        <translation>les exigences sur l&apos;ordre forment un cycle</translation>
-    </message>
-    <message>
-        <source>%1 moves in a direction that is forbidden to it before it is clear of what it touched</source>
-        <translation>%1 se déplace dans une direction qui lui est interdite avant d&apos;être dégagé de ce qu&apos;il touchait</translation>
-    </message>
-    <message>
-        <source>%1 is demanded to leave before, and the step does not say that it does not</source>
-        <translation>%1 doit sortir avant, et l&apos;étape ne signale pas le contraire</translation>
-    </message>
-    <message>
-        <source>it is demanded as step %1</source>
-        <translation>elle est exigée comme étape %1</translation>
-    </message>
-    <message>
-        <source>another motion is demanded of it</source>
-        <translation>un autre mouvement lui est exigé</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; stays, and is demanded to leave as step %2</source>
-        <translation>«&#xa0;%1&#xa0;» reste, et doit sortir à l&apos;étape %2</translation>
-    </message>
-    <message>
-        <source>is unknown: %1</source>
-        <translation>est inconnu&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Choose greedy or best-first.</source>
-        <translation>Choisissez greedy ou best-first.</translation>
-    </message>
-    <message>
-        <source>Whatever can leave leaves, the smallest first; what cannot is asked again when one of those in its way has left.</source>
-        <translation>Tout ce qui peut sortir sort, le plus petit d&apos;abord&#xa0;; ce qui ne le peut pas est réessayé quand un corps qui le gêne est sorti.</translation>
-    </message>
-    <message>
-        <source>Best first</source>
-        <translation>Meilleur d&apos;abord</translation>
-    </message>
-    <message>
-        <source>The motions of the greedy strategy in the order that costs least: length, changes of direction and of tools, bodies that would fall.</source>
-        <translation>Les mouvements de la stratégie greedy dans l&apos;ordre le moins coûteux&#xa0;: longueur, changements de direction et d&apos;outil, corps qui tomberaient.</translation>
-    </message>
-    <message>
-        <source>Few changes of tools</source>
-        <translation>Peu de changements d&apos;outil</translation>
-    </message>
-    <message>
-        <source>Short motions</source>
-        <translation>Mouvements courts</translation>
-    </message>
-    <message>
-        <source>As a fitter would</source>
-        <translation>Comme un monteur</translation>
-    </message>
-    <message>
-        <source>As found</source>
-        <translation>Comme trouvé</translation>
-    </message>
-    <message>
-        <source>Fragile parts leave first</source>
-        <translation>Pièces fragiles d&apos;abord</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; needs the tool &apos;%2&apos;, which is unknown</source>
-        <translation>«&#xa0;%1&#xa0;» demande l&apos;outil «&#xa0;%2&#xa0;», qui est inconnu</translation>
-    </message>
-    <message>
-        <source>Choose hex_key, socket, screwdriver, open_wrench or none.</source>
-        <translation>Choisissez hex_key, socket, screwdriver, open_wrench ou none.</translation>
-    </message>
-    <message>
-        <source>Choose a device again.</source>
-        <translation>Choisissez de nouveau un périphérique.</translation>
-    </message>
-    <message>
-        <source>moving the object with the device</source>
-        <translation>déplacement de l&apos;objet avec le périphérique</translation>
-    </message>
-    <message>
-        <source>stopping the planner</source>
-        <translation>arrêt du planificateur</translation>
-    </message>
-    <message>
-        <source>starting the planner</source>
-        <translation>démarrage du planificateur</translation>
-    </message>
-    <message>
-        <source>smoothing the path</source>
-        <translation>lissage du chemin</translation>
-    </message>
-    <message>
-        <source>examining the path</source>
-        <translation>examen du chemin</translation>
-    </message>
-    <message>
-        <source>changing the settings of the run</source>
-        <translation>changement des réglages du calcul</translation>
-    </message>
-    <message>
-        <source>completing the roadmap</source>
-        <translation>achèvement du graphe</translation>
-    </message>
-    <message>
-        <source>publishing the roadmap</source>
-        <translation>publication du graphe</translation>
-    </message>
-    <message>
-        <source>announcing a snapshot</source>
-        <translation>annonce d&apos;un état du calcul</translation>
-    </message>
-    <message>
-        <source>%1, seed %2</source>
-        <translation>%1, graine %2</translation>
-    </message>
-    <message>
-        <source>Enlarge the workspace or move the %1 inside.</source>
-        <translation>Agrandissez l&apos;espace de travail, ou placez-y %1.</translation>
-    </message>
-    <message>
-        <source>Move the %1 to a position clear of all bodies.</source>
-        <translation>Placez %1 à l&apos;écart de tous les corps.</translation>
-    </message>
-    <message>
-        <source>Move the %1 away or lower the required clearance.</source>
-        <translation>Éloignez %1, ou réduisez le jeu exigé.</translation>
-    </message>
-    <message>
-        <source>start</source>
-        <translation>le départ</translation>
-    </message>
-    <message>
-        <source>goal</source>
-        <translation>le but</translation>
-    </message>
-    <message>
-        <source>workspace</source>
-        <translation>l&apos;espace de travail</translation>
-    </message>
-    <message>
-        <source>bounds</source>
-        <translation>les bornes</translation>
-    </message>
-    <message>
-        <source>there is no such body</source>
-        <translation>ce corps n&apos;existe pas</translation>
-    </message>
-    <message>
-        <source>Choose one of the scene panel.</source>
-        <translation>Choisissez-en un dans le panneau Scène.</translation>
-    </message>
-    <message>
-        <source>this is not a position in space</source>
-        <translation>ce n&apos;est pas une position dans l&apos;espace</translation>
-    </message>
-    <message>
-        <source>Give finite numbers.</source>
-        <translation>Donnez des nombres finis.</translation>
-    </message>
-    <message>
-        <source>the goal is &quot;out&quot;, which has no position</source>
-        <translation>le but est «&#xa0;dehors&#xa0;», qui n&apos;a pas de position</translation>
-    </message>
-    <message>
-        <source>Give the goal a position first.</source>
-        <translation>Donnez d&apos;abord une position au but.</translation>
-    </message>
-    <message>
-        <source>the new file cannot be locked</source>
-        <translation>le nouveau fichier ne peut pas être verrouillé</translation>
-    </message>
-    <message>
-        <source>The edits cannot be restored.</source>
-        <translation>Les modifications ne peuvent pas être rétablies.</translation>
-    </message>
-    <message>
-        <source>is not unsaved edits of Glissade</source>
-        <translation>n&apos;est pas un fichier de modifications non enregistrées de Glissade</translation>
-    </message>
-    <message>
-        <source>is not 1</source>
-        <translation>n&apos;est pas 1</translation>
-    </message>
-    <message>
-        <source>is 0</source>
-        <translation>est 0</translation>
-    </message>
-    <message>
-        <source>Use a newer Glissade.</source>
-        <translation>Utilisez une version plus récente de Glissade.</translation>
-    </message>
-    <message>
-        <source>is not screw, nut, washer, pin or none</source>
-        <translation>n&apos;est pas screw, nut, washer, pin ou none</translation>
-    </message>
-    <message>
-        <source>reaches %1 m from the world&apos;s origin, beyond 1e9 m</source>
-        <translation>s&apos;étend à %1 m de l&apos;origine du monde, au-delà de 1e9 m</translation>
-    </message>
-    <message>
-        <source>has a radius of %1 m, which is not from 1e-12 m to 1e9 m</source>
-        <translation>a un rayon de %1 m, qui n&apos;est pas entre 1e-12 m et 1e9 m</translation>
-    </message>
-    <message>
-        <source>is below zero</source>
-        <translation>est négatif</translation>
-    </message>
-    <message>
-        <source>Give metres, 0 or more.</source>
-        <translation>Donnez des mètres, 0 ou plus.</translation>
-    </message>
-    <message>
-        <source>is not a kind of fit</source>
-        <translation>n&apos;est pas un type d&apos;ajustement</translation>
-    </message>
-    <message>
-        <source>Give planar, cylindrical, thread, press, overlap, contact or clash.</source>
-        <translation>Donnez planar, cylindrical, thread, press, overlap, contact ou clash.</translation>
-    </message>
-    <message>
-        <source>has no effect, because the pair is not marked as a thread</source>
-        <translation>n&apos;a pas d&apos;effet, car la paire n&apos;est pas marquée comme filetage</translation>
-    </message>
-    <message>
-        <source>Add &quot;kind&quot;: &quot;thread&quot;, or remove it.</source>
-        <translation>Ajoutez &quot;kind&quot;: &quot;thread&quot;, ou supprimez-le.</translation>
-    </message>
-    <message>
-        <source>is not a pitch</source>
-        <translation>n&apos;est pas un pas de filetage</translation>
-    </message>
-    <message>
-        <source>Give metres a turn, 0.00001 or more; below zero for a left-handed thread.</source>
-        <translation>Donnez des mètres par tour, 0.00001 ou plus&#xa0;; négatif pour un filetage à gauche.</translation>
-    </message>
-    <message>
-        <source>is neither of the two bodies</source>
-        <translation>n&apos;est aucun des deux corps</translation>
-    </message>
-    <message>
-        <source>Name the body that is turned.</source>
-        <translation>Nommez le corps que l&apos;on tourne.</translation>
-    </message>
-    <message>
-        <source>is the same body as &apos;a&apos;</source>
-        <translation>est le même corps que «&#xa0;a&#xa0;»</translation>
-    </message>
-    <message>
-        <source>is neither &quot;on&quot; nor &quot;off&quot;</source>
-        <translation>n&apos;est ni «&#xa0;on&#xa0;» ni «&#xa0;off&#xa0;»</translation>
-    </message>
-    <message>
-        <source>is about a pair that was there before</source>
-        <translation>concerne une paire déjà donnée</translation>
-    </message>
-    <message>
-        <source>has %1 triangles with two equal corners, which were left out</source>
-        <translation>a %1 triangles à deux sommets égaux, qui ont été omis</translation>
-    </message>
-    <message>
-        <source>was closed along %1 edges on which vertices of neighbouring faces lie (T-junctions)</source>
-        <translation>a été fermé le long de %1 arêtes où se trouvent des sommets de faces voisines (jonctions en T)</translation>
-    </message>
-    <message>
-        <source>The surface has moved by at most %1 micrometres.</source>
-        <translation>La surface s&apos;est déplacée d&apos;au plus %1 micromètres.</translation>
-    </message>
-    <message>
-        <source>has a unit or an up-axis, but a %1 file says itself what its numbers mean, and is z up</source>
-        <translation>a une unité ou un axe vertical, mais un fichier %1 donne lui-même le sens de ses nombres, avec z vers le haut</translation>
-    </message>
-    <message>
-        <source>Leave out &apos;unit&apos; and &apos;up_axis&apos;.</source>
-        <translation>Omettez «&#xa0;unit&#xa0;» et «&#xa0;up_axis&#xa0;».</translation>
-    </message>
-    <message>
-        <source>is not closed: faces or boundaries that could not be made: %1; proofs take what is missing as free space</source>
-        <translation>n&apos;est pas fermé&#xa0;: %1 faces ou contours n&apos;ont pas pu être construits&#xa0;; les preuves prennent ce qui manque pour de l&apos;espace libre</translation>
-    </message>
-    <message>
-        <source>is several parts in one body of the scenario, of which &apos;%1&apos; cannot be moved alone</source>
-        <translation>est fait de plusieurs pièces en un seul corps du scénario, dont «&#xa0;%1&#xa0;» ne peut pas être déplacée seule</translation>
-    </message>
-    <message>
-        <source>is not an object</source>
-        <translation>n&apos;est pas un objet JSON</translation>
-    </message>
-    <message>
-        <source>is an unknown key</source>
-        <translation>est une clé inconnue</translation>
-    </message>
-    <message>
-        <source>Remove it, or use one of: %1.</source>
-        <translation>Supprimez-la, ou utilisez l&apos;une de&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>Add it.</source>
-        <translation>Ajoutez-le.</translation>
-    </message>
-    <message>
-        <source>is not a list</source>
-        <translation>n&apos;est pas une liste</translation>
-    </message>
-    <message>
-        <source>has more than %1 entries</source>
-        <translation>a plus de %1 éléments</translation>
-    </message>
-    <message>
-        <source>is not a text</source>
-        <translation>n&apos;est pas un texte</translation>
-    </message>
-    <message>
-        <source>holds a zero byte, which no file&apos;s name can</source>
-        <translation>contient un octet nul, ce qu&apos;aucun nom de fichier ne peut</translation>
-    </message>
-    <message>
-        <source>is not a number</source>
-        <translation>n&apos;est pas un nombre</translation>
-    </message>
-    <message>
-        <source>is not above zero</source>
-        <translation>n&apos;est pas supérieur à zéro</translation>
-    </message>
-    <message>
-        <source>is beyond 1e9 m</source>
-        <translation>dépasse 1e9 m</translation>
-    </message>
-    <message>
-        <source>Give metres; check the unit.</source>
-        <translation>Donnez des mètres&#xa0;; vérifiez l&apos;unité.</translation>
-    </message>
-    <message>
-        <source>is not from 1e-12 m to 1e9 m</source>
-        <translation>n&apos;est pas entre 1e-12 m et 1e9 m</translation>
-    </message>
-    <message>
-        <source>is not a whole number of zero or more</source>
-        <translation>n&apos;est pas un nombre entier positif ou nul</translation>
-    </message>
-    <message>
-        <source>is neither true nor false</source>
-        <translation>n&apos;est ni true ni false</translation>
-    </message>
-    <message>
-        <source>is not a list of three numbers</source>
-        <translation>n&apos;est pas une liste de trois nombres</translation>
-    </message>
-    <message>
-        <source>is not a quaternion x, y, z, w</source>
-        <translation>n&apos;est pas un quaternion x, y, z, w</translation>
-    </message>
-    <message>
-        <source>is not a unit quaternion (its length is %1)</source>
-        <translation>n&apos;est pas un quaternion unitaire (sa norme est %1)</translation>
-    </message>
-    <message>
-        <source>Divide its four numbers by that length.</source>
-        <translation>Divisez ses quatre nombres par cette norme.</translation>
-    </message>
-    <message>
-        <source>is nested too deeply</source>
-        <translation>est trop imbriqué</translation>
-    </message>
-    <message>
-        <source>holds too many values</source>
-        <translation>contient trop de valeurs</translation>
-    </message>
-    <message>
-        <source>holds the key &apos;%1&apos; twice in one object</source>
-        <translation>contient deux fois la clé «&#xa0;%1&#xa0;» dans un objet</translation>
-    </message>
-    <message>
-        <source>holds an object with more than %1 keys</source>
-        <translation>contient un objet de plus de %1 clés</translation>
-    </message>
-    <message>
-        <source>is not computer, operator or contact</source>
-        <translation>n&apos;est pas computer, operator ou contact</translation>
-    </message>
-    <message>
-        <source>Give a path, or remove it.</source>
-        <translation>Donnez un chemin, ou supprimez-le.</translation>
-    </message>
-    <message>
-        <source>is the name of a path before it</source>
-        <translation>est déjà le nom d&apos;un chemin précédent</translation>
-    </message>
-    <message>
-        <source>Give every path a name of its own.</source>
-        <translation>Donnez à chaque chemin un nom différent.</translation>
-    </message>
-    <message>
-        <source>there is no part</source>
-        <translation>il n&apos;y a aucune pièce</translation>
-    </message>
-    <message>
-        <source>Give the files of the parts.</source>
-        <translation>Donnez les fichiers des pièces.</translation>
-    </message>
-    <message>
-        <source>has a unit that is not from 1e-12 m to 1e9 m</source>
-        <translation>a une unité qui n&apos;est pas entre 1e-12 m et 1e9 m</translation>
-    </message>
-    <message>
-        <source>Give the metres in a unit of the file.</source>
-        <translation>Donnez la valeur en mètres d&apos;une unité du fichier.</translation>
-    </message>
-    <message>
-        <source>no part moves</source>
-        <translation>aucune pièce ne bouge</translation>
-    </message>
-    <message>
-        <source>Choose the part that moves.</source>
-        <translation>Choisissez la pièce qui bouge.</translation>
-    </message>
-    <message>
-        <source>cannot be what moves: the scenario has its object</source>
-        <translation>ne peut pas être la pièce qui bouge&#xa0;: le scénario a déjà son objet</translation>
-    </message>
-    <message>
-        <source>Make it static or mobile.</source>
-        <translation>Rendez-la statique ou mobile.</translation>
-    </message>
-    <message>
-        <source>has no part that the scenario does not have</source>
-        <translation>n&apos;a aucune pièce que le scénario n&apos;ait déjà</translation>
-    </message>
-    <message>
-        <source>Name the part to have it twice.</source>
-        <translation>Nommez la pièce pour l&apos;avoir deux fois.</translation>
-    </message>
-    <message>
-        <source>paths are not written as &apos;.%1&apos;</source>
-        <translation>les chemins ne s&apos;écrivent pas en «&#xa0;.%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>Choose one of: %1.</source>
-        <translation>Choisissez parmi&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>a position of the path is beyond single precision</source>
-        <translation>une position du chemin dépasse la simple précision</translation>
-    </message>
-    <message>
-        <source>is longer than %1 bytes</source>
-        <translation>dépasse %1 octets</translation>
-    </message>
-    <message>
-        <source>is one too many: a path has at most %1 configurations</source>
-        <translation>est de trop&#xa0;: un chemin a au plus %1 configurations</translation>
-    </message>
-    <message>
-        <source>Each line holds %1.</source>
-        <translation>Chaque ligne contient %1.</translation>
-    </message>
-    <message>
-        <source>Each line holds x y z qx qy qz qw; a CSV begins with its header.</source>
-        <translation>Chaque ligne contient x y z qx qy qz qw&#xa0;; un CSV commence par son en-tête.</translation>
-    </message>
-    <message>
-        <source>does not have %1 columns</source>
-        <translation>n&apos;a pas %1 colonnes</translation>
-    </message>
-    <message>
-        <source>holds %1, which is not a finite number</source>
-        <translation>contient %1, qui n&apos;est pas un nombre fini</translation>
-    </message>
-    <message>
-        <source>holds %1, which is beyond 1e9 m</source>
-        <translation>contient %1, qui dépasse 1e9 m</translation>
-    </message>
-    <message>
-        <source>has an orientation that is not a unit quaternion</source>
-        <translation>a une orientation qui n&apos;est pas un quaternion unitaire</translation>
-    </message>
-    <message>
-        <source>names an unknown author %1</source>
-        <translation>nomme un auteur inconnu %1</translation>
-    </message>
-    <message>
-        <source>Plan again. To check an edited path, remove its checksum.</source>
-        <translation>Planifiez de nouveau. Pour vérifier un chemin modifié, supprimez sa somme de contrôle.</translation>
-    </message>
-    <message>
-        <source>Give the path as one of: %1.</source>
-        <translation>Donnez le chemin dans l&apos;un de ces formats&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>Plan again. To use an edited plan, remove its checksum.</source>
-        <translation>Planifiez de nouveau. Pour utiliser un plan modifié, supprimez sa somme de contrôle.</translation>
-    </message>
-    <message>
-        <source>is about a product that has &apos;%1&apos;</source>
-        <translation>concerne un produit qui a «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>is about a product with other bodies</source>
-        <translation>concerne un produit qui a d&apos;autres corps</translation>
-    </message>
-    <message>
-        <source>a position of the plan is beyond single precision</source>
-        <translation>une position du plan dépasse la simple précision</translation>
-    </message>
-    <message>
-        <source>Export the plan as JSON.</source>
-        <translation>Exportez le plan en JSON.</translation>
-    </message>
-    <message>
-        <source>is there twice</source>
-        <translation>y est deux fois</translation>
-    </message>
-    <message>
-        <source>is not complete, stuck, time_limit or interrupted</source>
-        <translation>n&apos;est pas complete, stuck, time_limit ou interrupted</translation>
-    </message>
-    <message>
-        <source>is none of the plan&apos;s bodies</source>
-        <translation>n&apos;est pas un corps du plan</translation>
-    </message>
-    <message>
-        <source>is more than the steps before it</source>
-        <translation>dépasse le nombre d&apos;étapes précédentes</translation>
-    </message>
-    <message>
-        <source>stays, or has left before</source>
-        <translation>reste, ou est déjà sorti</translation>
-    </message>
-    <message>
-        <source>is not hex_key, socket, screwdriver, open_wrench or none</source>
-        <translation>n&apos;est pas hex_key, socket, screwdriver, open_wrench ou none</translation>
-    </message>
-    <message>
-        <source>is not not_asked, free or blocked</source>
-        <translation>n&apos;est pas not_asked, free ou blocked</translation>
-    </message>
-    <message>
-        <source>is not an earlier step</source>
-        <translation>n&apos;est pas une étape précédente</translation>
-    </message>
-    <message>
-        <source>is without a pitch</source>
-        <translation>n&apos;a pas de pas de filetage</translation>
-    </message>
-    <message>
-        <source>stays, or has left</source>
-        <translation>reste, ou est sorti</translation>
-    </message>
-    <message>
-        <source>is a scenario, which states the deflection of each of its assets</source>
-        <translation>est un scénario, qui donne lui-même la flèche de chacun de ses assets</translation>
-    </message>
-    <message>
-        <source>Change &quot;deflection&quot; of the asset there, or give the part file.</source>
-        <translation>Changez-y «&#xa0;deflection&#xa0;» de l&apos;asset, ou donnez le fichier de la pièce.</translation>
-    </message>
-    <message>
-        <source>is damaged, and names the scenario and the settings of the run</source>
-        <translation>est endommagée, alors qu&apos;elle nomme le scénario et les réglages du calcul</translation>
-    </message>
-    <message>
-        <source>the folder refuses a new file</source>
-        <translation>le dossier refuse un nouveau fichier</translation>
-    </message>
-    <message>
-        <source>cannot be locked</source>
-        <translation>ne peut pas être verrouillé</translation>
-    </message>
-    <message>
-        <source>Use an undamaged copy. To replay an edited recording, remove its checksum.</source>
-        <translation>Utilisez une copie intacte. Pour rejouer un enregistrement modifié, supprimez sa somme de contrôle.</translation>
-    </message>
-    <message>
-        <source>is damaged: %1 lines of the journal are lost</source>
-        <translation>est endommagé&#xa0;: %1 lignes du journal sont perdues</translation>
-    </message>
-    <message>
-        <source>Nothing is missing until step %1; the replay may differ from the run after it.</source>
-        <translation>Rien ne manque jusqu&apos;au pas %1&#xa0;; ensuite la relecture peut différer du calcul.</translation>
-    </message>
-    <message>
-        <source>Name the scenario that the run was recorded on, as it was then.</source>
-        <translation>Donnez le scénario sur lequel le calcul a été enregistré, tel qu&apos;il était alors.</translation>
-    </message>
-    <message>
-        <source>the run was recorded on another scenario than &apos;%1&apos;</source>
-        <translation>le calcul a été enregistré sur un autre scénario que «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>the asset &apos;%1&apos; has changed since the run was recorded</source>
-        <translation>l&apos;asset «&#xa0;%1&#xa0;» a changé depuis l&apos;enregistrement du calcul</translation>
-    </message>
-    <message>
-        <source>there is no planner &apos;%1&apos;</source>
-        <translation>il n&apos;y a pas de stratégie «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>Replay it with the Glissade that recorded it: %1.</source>
-        <translation>Rejouez-le avec la version de Glissade qui l&apos;a enregistré&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>names the unknown parameter &apos;%1&apos;</source>
-        <translation>nomme le paramètre inconnu «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>comes before the step above it</source>
-        <translation>vient avant le pas qui le précède</translation>
-    </message>
-    <message>
-        <source>is not a number of 16 hexadecimal digits</source>
-        <translation>n&apos;est pas un nombre de 16 chiffres hexadécimaux</translation>
-    </message>
-    <message>
-        <source>is neither [step] nor [step, x, y, z, qx, qy, qz, qw]</source>
-        <translation>n&apos;est ni [step] ni [step, x, y, z, qx, qy, qz, qw]</translation>
-    </message>
-    <message>
-        <source>holds no unit quaternion</source>
-        <translation>ne contient pas de quaternion unitaire</translation>
-    </message>
-    <message>
-        <source>comes before the last checkpoint</source>
-        <translation>vient avant le dernier point de contrôle</translation>
-    </message>
-    <message>
-        <source>is neither 1 nor 2</source>
-        <translation>n&apos;est ni 1 ni 2</translation>
-    </message>
-    <message>
-        <source>Imported from OMPL.app</source>
-        <translation>Importé d&apos;OMPL.app</translation>
-    </message>
-    <message>
-        <source>Make a scenario of it: glissade-cli new OUT.json --moves FILE:PART --static FILE.</source>
-        <translation>Faites-en un scénario&#xa0;: glissade-cli new OUT.json --moves FICHIER:PIÈCE --static FICHIER.</translation>
-    </message>
-    <message>
-        <source>is not a colour: three numbers from 0 to 1</source>
-        <translation>n&apos;est pas une couleur&#xa0;: trois nombres de 0 à 1</translation>
-    </message>
-    <message>
-        <source>is neither &quot;y&quot; nor &quot;z&quot;</source>
-        <translation>n&apos;est ni «&#xa0;y&#xa0;» ni «&#xa0;z&#xa0;»</translation>
-    </message>
-    <message>
-        <source>does not name exactly one shape</source>
-        <translation>ne nomme pas exactement une forme</translation>
-    </message>
-    <message>
-        <source>names the asset &apos;%1&apos;, which is not in /assets</source>
-        <translation>nomme l&apos;asset «&#xa0;%1&#xa0;», qui n&apos;est pas dans /assets</translation>
-    </message>
-    <message>
-        <source>Add the asset.</source>
-        <translation>Ajoutez l&apos;asset.</translation>
-    </message>
-    <message>
-        <source>has a size that is not above zero, or below 1e-12 m</source>
-        <translation>a une taille nulle, négative ou inférieure à 1e-12 m</translation>
-    </message>
-    <message>
-        <source>is neither &quot;static&quot; nor &quot;mobile&quot;</source>
-        <translation>n&apos;est ni «&#xa0;static&#xa0;» ni «&#xa0;mobile&#xa0;»</translation>
-    </message>
-    <message>
-        <source>is for mesh files only</source>
-        <translation>ne vaut que pour les fichiers de maillage</translation>
-    </message>
-    <message>
-        <source>is said twice: there is &apos;centre_on_vertex_mean&apos;</source>
-        <translation>est dit deux fois&#xa0;: il y a «&#xa0;centre_on_vertex_mean&#xa0;»</translation>
-    </message>
-    <message>
-        <source>is neither a configuration nor &quot;out&quot;</source>
-        <translation>n&apos;est ni une configuration ni «&#xa0;out&#xa0;»</translation>
-    </message>
-    <message>
-        <source>is not a parameter</source>
-        <translation>n&apos;est pas un paramètre</translation>
-    </message>
-    <message>
-        <source>Remove it, or see &apos;glissade-cli plan --help&apos;.</source>
-        <translation>Supprimez-le, ou voyez «&#xa0;glissade-cli plan --help&#xa0;».</translation>
-    </message>
-    <message>
-        <source>holds a &apos;/&apos;</source>
-        <translation>contient un «&#xa0;/&#xa0;»</translation>
-    </message>
-    <message>
-        <source>Leave it out.</source>
-        <translation>Omettez-le.</translation>
-    </message>
-    <message>
-        <source>has the id &apos;%1&apos; a second time</source>
-        <translation>a une seconde fois l&apos;identifiant «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>Give every one an id of its own.</source>
-        <translation>Donnez à chacun un identifiant différent.</translation>
-    </message>
-    <message>
-        <source>is not &quot;%1&quot;</source>
-        <translation>n&apos;est pas «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>is version %1; this program reads up to version %2</source>
-        <translation>est de la version %1&#xa0;; ce programme lit jusqu&apos;à la version %2</translation>
-    </message>
-    <message>
-        <source>Check the scenario, then save it again or remove the checksum.</source>
-        <translation>Vérifiez le scénario, puis enregistrez-le de nouveau ou supprimez la somme de contrôle.</translation>
-    </message>
-    <message>
-        <source>Give metres, or 0 for as fine as the memory allows.</source>
-        <translation>Donnez des mètres, ou 0 pour la plus grande finesse que permet la mémoire.</translation>
-    </message>
-    <message>
-        <source>names no way to find places</source>
-        <translation>ne nomme aucune méthode de recherche des lieux</translation>
-    </message>
-    <message>
-        <source>Give region-growing or watershed.</source>
-        <translation>Donnez region-growing ou watershed.</translation>
-    </message>
-    <message>
-        <source>Give 1 to 4096 MiB.</source>
-        <translation>Donnez 1 à 4096 Mio.</translation>
-    </message>
-    <message>
-        <source>Give 2 to 8.</source>
-        <translation>Donnez 2 à 8.</translation>
-    </message>
-    <message>
-        <source>is neither &quot;place&quot; nor &quot;body&quot;</source>
-        <translation>n&apos;est ni «&#xa0;place&#xa0;» ni «&#xa0;body&#xa0;»</translation>
-    </message>
-    <message>
-        <source>is not a type of attribute</source>
-        <translation>n&apos;est pas un type d&apos;attribut</translation>
-    </message>
-    <message>
-        <source>Give bool, integer, number, text or choice.</source>
-        <translation>Donnez bool, integer, number, text ou choice.</translation>
-    </message>
-    <message>
-        <source>names fewer than %1 bodies</source>
-        <translation>nomme moins de %1 corps</translation>
-    </message>
-    <message>
-        <source>is not three numbers</source>
-        <translation>n&apos;est pas fait de trois nombres</translation>
-    </message>
-    <message>
-        <source>has no direction</source>
-        <translation>n&apos;a pas de direction</translation>
-    </message>
-    <message>
-        <source>is not two texts</source>
-        <translation>n&apos;est pas fait de deux textes</translation>
-    </message>
-    <message>
-        <source>is not a body and screw, nut, washer, pin or none</source>
-        <translation>n&apos;est pas un corps suivi de screw, nut, washer, pin ou none</translation>
-    </message>
-    <message>
-        <source>is not 1 or more</source>
-        <translation>n&apos;est pas au moins 1</translation>
-    </message>
-    <message>
-        <source>has fewer than two configurations</source>
-        <translation>a moins de deux configurations</translation>
-    </message>
-    <message>
-        <source>is not two names</source>
-        <translation>n&apos;est pas fait de deux noms</translation>
-    </message>
-    <message>
-        <source>the class of &apos;%1&apos; is &apos;%2&apos;, which is not a class of bodies</source>
-        <translation>la classe de «&#xa0;%1&#xa0;» est «&#xa0;%2&#xa0;», qui n&apos;est pas une classe de corps</translation>
-    </message>
-    <message>
-        <source>Choose one of %1, or add it under /sequence/classes.</source>
-        <translation>Choisissez parmi %1, ou ajoutez-la sous /sequence/classes.</translation>
-    </message>
-    <message>
-        <source>Give the whole name: %1.</source>
-        <translation>Donnez le nom entier&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>The file holds one part: leave out the name.</source>
-        <translation>Le fichier contient une seule pièce&#xa0;: omettez le nom.</translation>
-    </message>
-    <message>
-        <source>It holds: %1.</source>
-        <translation>Il contient&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>STL is little-endian</source>
-        <translation>le STL est petit-boutiste</translation>
-    </message>
-    <message>
-        <source>does not say its unit; its size is %1</source>
-        <translation>ne dit pas son unité&#xa0;; sa taille est %1</translation>
-    </message>
-    <message>
-        <source>it is taken in millimetres</source>
-        <translation>il est pris en millimètres</translation>
-    </message>
-    <message>
-        <source>it is taken in metres</source>
-        <translation>il est pris en mètres</translation>
-    </message>
-    <message>
-        <source>the size does not decide this</source>
-        <translation>la taille ne permet pas d&apos;en décider</translation>
-    </message>
-    <message>
-        <source>other files taken in the same way: %1</source>
-        <translation>autres fichiers interprétés de la même façon&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Give the unit: --unit 1mm, or --unit 1m.</source>
-        <translation>Donnez l&apos;unité&#xa0;: --unit 1mm, ou --unit 1m.</translation>
-    </message>
-    <message>
-        <source>Give the unit: --unit 1m, or --unit 1mm.</source>
-        <translation>Donnez l&apos;unité&#xa0;: --unit 1m, ou --unit 1mm.</translation>
-    </message>
-    <message>
-        <source>the bound of the swept volume is not above 0</source>
-        <translation>la borne du volume balayé n&apos;est pas supérieure à 0</translation>
-    </message>
-    <message>
-        <source>Give a length as 0.5mm.</source>
-        <translation>Donnez une longueur, comme 0.5mm.</translation>
-    </message>
-    <message>
-        <source>Give at least %1 mm.</source>
-        <translation>Donnez au moins %1 mm.</translation>
-    </message>
-    <message>
-        <source>Remove it to mean any.</source>
-        <translation>Supprimez-le pour admettre tout.</translation>
-    </message>
-    <message>
-        <source>has no meaning beside a number</source>
-        <translation>n&apos;a pas de sens à côté d&apos;un nombre</translation>
-    </message>
-    <message>
-        <source>Put it into &quot;than&quot;.</source>
-        <translation>Mettez-le dans «&#xa0;than&#xa0;».</translation>
-    </message>
-    <message>
-        <source>names the unknown %1 &apos;%2&apos;</source>
-        <translation>nomme %1 inconnu «&#xa0;%2&#xa0;»</translation>
-    </message>
-    <message>
-        <source>kind of runs</source>
-        <translation>type d&apos;essais</translation>
-    </message>
-    <message>
-        <source>killed at the end of its time limit</source>
-        <translation>arrêté à la fin de son temps limite</translation>
-    </message>
-    <message>
-        <source>killed because it wrote too much output</source>
-        <translation>arrêté parce qu&apos;il écrivait trop</translation>
-    </message>
-    <message>
-        <source>ended by signal %1</source>
-        <translation>terminé par le signal %1</translation>
-    </message>
-    <message>
-        <source>no report, exit code %1: %2</source>
-        <translation>pas de rapport, code de sortie %1&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>is not a status</source>
-        <translation>n&apos;est pas un état</translation>
-    </message>
-    <message>
-        <source>cannot be made: %1</source>
-        <translation>ne peut pas être créé&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Choose another --out.</source>
-        <translation>Choisissez un autre --out.</translation>
-    </message>
-    <message>
-        <source>holds results of another study, of another version of it or of Glissade, or of its other size (--quick)</source>
-        <translation>contient les résultats d&apos;une autre étude, d&apos;une autre version de l&apos;étude ou de Glissade, ou de son autre taille (--quick)</translation>
-    </message>
-    <message>
-        <source>Choose another --out, or remove that folder.</source>
-        <translation>Choisissez un autre --out, ou supprimez ce dossier.</translation>
-    </message>
-    <message>
-        <source>is not a folder of study results</source>
-        <translation>n&apos;est pas un dossier de résultats d&apos;étude</translation>
-    </message>
-    <message>
-        <source>Choose a new folder as --out.</source>
-        <translation>Choisissez un nouveau dossier pour --out.</translation>
-    </message>
-    <message>
-        <source>is of another plan</source>
-        <translation>vient d&apos;un autre plan</translation>
-    </message>
-    <message>
-        <source>It is left out.</source>
-        <translation>Il est laissé de côté.</translation>
-    </message>
-    <message>
-        <source>the scenario of the study is no longer there</source>
-        <translation>le scénario de l&apos;étude n&apos;existe plus</translation>
-    </message>
-    <message>
-        <source>Put it back, or write the place of the study file into %1.</source>
-        <translation>Remettez-le, ou écrivez l&apos;emplacement du fichier de l&apos;étude dans %1.</translation>
-    </message>
-    <message>
-        <source>cell %1, seed %2</source>
-        <translation>cellule %1, graine %2</translation>
-    </message>
-    <message>
-        <source>has another result than a folder named before it</source>
-        <translation>a un autre résultat qu&apos;un dossier nommé avant lui</translation>
-    </message>
-    <message>
-        <source>The same run must end the same everywhere: look for different builds of Glissade.</source>
-        <translation>Le même essai doit finir partout de la même façon&#xa0;: cherchez des versions différentes de Glissade.</translation>
-    </message>
-    <message>
-        <source>is of another study, version or size than %1</source>
-        <translation>est d&apos;une autre étude, version ou taille que %1</translation>
-    </message>
-    <message>
-        <source>Merge folders of one study, made by one version of Glissade.</source>
-        <translation>Réunissez des dossiers d&apos;une même étude, faits par une même version de Glissade.</translation>
-    </message>
-    <message>
-        <source>has no &apos;%1&apos;</source>
-        <translation>n&apos;a pas de «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>is there a second time</source>
-        <translation>y est une seconde fois</translation>
-    </message>
-    <message>
-        <source>See &apos;glissade-cli plan --help&apos;; &apos;_&apos; stands for &apos;-&apos;.</source>
-        <translation>Voyez «&#xa0;glissade-cli plan --help&#xa0;»&#xa0;; «&#xa0;_&#xa0;» y remplace «&#xa0;-&#xa0;».</translation>
-    </message>
-    <message>
-        <source>is a limit</source>
-        <translation>est une limite</translation>
-    </message>
-    <message>
-        <source>Move it to &quot;limits&quot;.</source>
-        <translation>Déplacez-le dans «&#xa0;limits&#xa0;».</translation>
-    </message>
-    <message>
-        <source>is beyond %1</source>
-        <translation>dépasse %1</translation>
-    </message>
-    <message>
-        <source>is not from 1 to %1</source>
-        <translation>n&apos;est pas de 1 à %1</translation>
-    </message>
-    <message>
-        <source>Labels name rows.</source>
-        <translation>Les étiquettes nomment des lignes.</translation>
-    </message>
-    <message>
-        <source>makes too many runs</source>
-        <translation>fait trop d&apos;essais</translation>
-    </message>
-    <message>
-        <source>Vary less, or less finely.</source>
-        <translation>Faites varier moins, ou moins finement.</translation>
-    </message>
-    <message>
-        <source>is not a column of &quot;paper&quot;</source>
-        <translation>n&apos;est pas une colonne de «&#xa0;paper&#xa0;»</translation>
-    </message>
-    <message>
-        <source>Use one of: %1.</source>
-        <translation>Utilisez l&apos;une de ces valeurs&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>is a sequence with an operator</source>
-        <translation>est une séquence avec un opérateur</translation>
-    </message>
-    <message>
-        <source>is a sequence without a time limit</source>
-        <translation>est une séquence sans limite de temps</translation>
-    </message>
-    <message>
-        <source>Give time_limit under &quot;limits&quot;.</source>
-        <translation>Donnez time_limit sous «&#xa0;limits&#xa0;».</translation>
-    </message>
-    <message>
-        <source>is a sequence, which has no parameter %1</source>
-        <translation>est une séquence, qui n&apos;a pas de paramètre %1</translation>
-    </message>
-    <message>
-        <source>Give limits only.</source>
-        <translation>Ne donnez que des limites.</translation>
-    </message>
-    <message>
-        <source>has no scenario</source>
-        <translation>n&apos;a pas de scénario</translation>
-    </message>
-    <message>
-        <source>has no strategy</source>
-        <translation>n&apos;a pas de stratégie</translation>
-    </message>
-    <message>
-        <source>has no seeds</source>
-        <translation>n&apos;a pas de graines</translation>
-    </message>
-    <message>
-        <source>may run for ever</source>
-        <translation>pourrait ne jamais finir</translation>
-    </message>
-    <message>
-        <source>Give time_limit, max_steps or max_samples under &quot;limits&quot;.</source>
-        <translation>Donnez time_limit, max_steps ou max_samples sous «&#xa0;limits&#xa0;».</translation>
-    </message>
-    <message>
-        <source>interrupted with %1 of %2 runs done</source>
-        <translation>interrompu après %1 essais sur %2</translation>
-    </message>
-    <message>
-        <source>The same command goes on from here.</source>
-        <translation>La même commande continue à partir d&apos;ici.</translation>
-    </message>
-    <message>
-        <source>a whole number</source>
-        <translation>un nombre entier</translation>
-    </message>
-    <message>
-        <source>a number</source>
-        <translation>un nombre</translation>
-    </message>
-    <message>
-        <source>by hand</source>
-        <translation>à la main</translation>
-    </message>
-    <message>
-        <source>two lines</source>
-        <translation>deux droites</translation>
-    </message>
-    <message>
-        <source>and %1 more</source>
-        <translation>et %1 autres</translation>
-    </message>
-    <message>
-        <source>No such file or directory</source>
-        <translation>fichier ou dossier inexistant</translation>
-    </message>
-    <message>
-        <source>Permission denied</source>
-        <translation>permission refusée</translation>
-    </message>
-    <message>
-        <source>Is a directory</source>
-        <translation>c&apos;est un dossier</translation>
-    </message>
-    <message>
-        <source>No space left on device</source>
-        <translation>plus de place sur le disque</translation>
-    </message>
-    <message>
-        <source>Read-only file system</source>
-        <translation>système de fichiers en lecture seule</translation>
-    </message>
-    <message>
-        <source>File name too long</source>
-        <translation>nom de fichier trop long</translation>
-    </message>
-    <message>
-        <source>Not a directory</source>
-        <translation>ce n&apos;est pas un dossier</translation>
-    </message>
-    <message>
-        <source>no body is chosen</source>
-        <translation>aucun corps n&apos;est choisi</translation>
-    </message>
-    <message>
-        <source>Choose what moves.</source>
-        <translation>Choisissez ce qui bouge.</translation>
-    </message>
-    <message>
-        <source>this is the object already</source>
-        <translation>c&apos;est déjà l&apos;objet</translation>
-    </message>
-    <message>
-        <source>is what moves</source>
-        <translation>est ce qui bouge</translation>
-    </message>
-    <message>
-        <source>Choose another object first.</source>
-        <translation>Choisissez d&apos;abord un autre objet.</translation>
-    </message>
-    <message>
-        <source>Choose other bodies.</source>
-        <translation>Choisissez d&apos;autres corps.</translation>
-    </message>
-    <message>
-        <source>leaves bodies out: %1</source>
-        <translation>écarte des corps&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Proofs are about the product without them.</source>
-        <translation>Les preuves portent sur le produit sans eux.</translation>
-    </message>
-    <message>
-        <source>is not beside &apos;centre_on_vertex_mean&apos;</source>
-        <translation>ne se met pas à côté de &apos;centre_on_vertex_mean&apos;</translation>
-    </message>
-    <message>
-        <source>validation property %1</source>
-        <translation>propriété de validation %1</translation>
-    </message>
-    <message>
-        <source>its triangles enclose %1 cubic millimetres, and the file states %2: they differ by more than the deviation of the triangles explains</source>
-        <translation>ses triangles enferment %1 millimètres cubes, et le fichier indique %2&#xa0;: la différence dépasse ce que l&apos;écart des triangles explique</translation>
-    </message>
-    <message>
-        <source>its triangles have %1 square millimetres, and the file states %2: they differ by more than the deviation of the triangles explains</source>
-        <translation>ses triangles couvrent %1 millimètres carrés, et le fichier indique %2&#xa0;: la différence dépasse ce que l&apos;écart des triangles explique</translation>
-    </message>
-    <message>
-        <source>the centroid of its triangles is %1 mm from the one that the file states: more than the deviation of the triangles explains</source>
-        <translation>le centre de gravité de ses triangles est à %1&#xa0;mm de celui que le fichier indique&#xa0;: plus que ce que l&apos;écart des triangles explique</translation>
-    </message>
-    <message>
-        <source>%1 taken without what overlaps %2, up to %3 deep (accepted clash)</source>
-        <translation>%1 sans ce qui pénètre dans %2, jusqu&apos;à %3 de profondeur (collision acceptée)</translation>
-    </message>
-    <message>
-        <source>%1 taken without what its screw %2 fills (no hole in the file)</source>
-        <translation>%1 sans ce que sa vis %2 remplit (aucun trou dans le fichier)</translation>
-    </message>
-    <message>
-        <source>touch where neither can be taken thinner: the surfaces are open %1 and %2 from the contact, so that what is inside them there is not known</source>
-        <translation>se touchent là où aucun des deux ne peut être aminci&#xa0;: leurs surfaces sont ouvertes à %1 et %2 du contact, et l&apos;intérieur n&apos;y est donc pas connu</translation>
-    </message>
-    <message>
-        <source>fit so that one of them would have to be taken %1 thinner, which the local thickness or the shape of neither gives, and the surface of one is open %2 from the contact, so that what is inside it there is not known: it counts as a clash</source>
-        <translation>s&apos;ajustent de telle sorte que l&apos;un des deux devrait être aminci de %1, ce que ni leur épaisseur locale ni leur forme ne permettent, et la surface de l&apos;un est ouverte à %2 du contact, de sorte que son intérieur n&apos;y est pas connu&#xa0;: c&apos;est une collision</translation>
-    </message>
-    <message>
-        <source>Say all of a node at one place.</source>
-        <translation>Dites tout d&apos;un nœud au même endroit.</translation>
-    </message>
-    <message>
-        <source>is neither a body nor an assembly of this product</source>
-        <translation>n&apos;est ni un corps ni un assemblage de ce produit</translation>
-    </message>
-    <message>
-        <source>is about a body, which has its attributes itself</source>
-        <translation>concerne un corps, qui porte lui-même ses attributs</translation>
-    </message>
-    <message>
-        <source>Write them there.</source>
-        <translation>Écrivez-les là.</translation>
-    </message>
-    <message>
-        <source>is no assembly that the node can be in</source>
-        <translation>n&apos;est pas un assemblage qui puisse contenir le nœud</translation>
-    </message>
-    <message>
-        <source>Name an assembly that is not below it.</source>
-        <translation>Nommez un assemblage qui n&apos;en dépend pas.</translation>
-    </message>
-    <message>
-        <source>is not off, recognised or suggested</source>
-        <translation>n&apos;est pas off, recognised ou suggested</translation>
-    </message>
-    <message>
-        <source>is not before, fastener, standing, place or joint</source>
-        <translation>n&apos;est pas before, fastener, standing, place ou joint</translation>
-    </message>
-    <message>
-        <source>is not certified or not_certified</source>
-        <translation>n&apos;est pas certified ou not_certified</translation>
-    </message>
-    <message>
-        <source>is not a kind of joint</source>
-        <translation>n&apos;est pas un type de liaison</translation>
-    </message>
-    <message>
-        <source>is not a kind of drive</source>
-        <translation>n&apos;est pas un type d&apos;empreinte</translation>
-    </message>
-    <message>
-        <source>is deeper than %1 lines</source>
-        <translation>est plus profond que %1 lignes</translation>
-    </message>
-    <message>
-        <source>is not a step before it</source>
-        <translation>n&apos;est pas une étape qui le précède</translation>
-    </message>
-    <message>
-        <source>is no word about a joint</source>
-        <translation>n&apos;est pas une parole sur une liaison</translation>
-    </message>
-    <message>
-        <source>Give confirmed, dissolved, pressed_out or opened.</source>
-        <translation>Donnez confirmed, dissolved, pressed_out ou opened.</translation>
-    </message>
-    <message>
-        <source>has no length</source>
-        <translation>n&apos;a pas de longueur</translation>
-    </message>
-    <message>
-        <source>Give a direction, as [0, 0, 1].</source>
-        <translation>Donnez une direction, par exemple [0, 0, 1].</translation>
-    </message>
-    <message>
-        <source>is not a drive</source>
-        <translation>n&apos;est pas une empreinte</translation>
-    </message>
-    <message>
-        <source>Give hex, hex_socket, cross, slot, six_lobe or none.</source>
-        <translation>Donnez hex, hex_socket, cross, slot, six_lobe ou none.</translation>
-    </message>
-    <message>
-        <source>has no effect, because the joint is not confirmed</source>
-        <translation>n&apos;a pas d&apos;effet, car la liaison n&apos;est pas confirmée</translation>
-    </message>
-    <message>
-        <source>Remove it, or say &quot;confirmed&quot;.</source>
-        <translation>Supprimez-le, ou dites &quot;confirmed&quot;.</translation>
-    </message>
-    <message>
-        <source>is about a joint that was there before</source>
-        <translation>concerne une liaison déjà donnée</translation>
-    </message>
-    <message>
-        <source>there is no body &apos;%1&apos;</source>
-        <translation>il n&apos;y a pas de corps &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>Name bodies by the ids that &apos;joints --json&apos; prints.</source>
-        <translation>Nommez les corps par les identifiants que &apos;joints --json&apos; affiche.</translation>
-    </message>
-    <message>
-        <source>it names a body twice</source>
-        <translation>elle nomme deux fois un corps</translation>
-    </message>
-    <message>
-        <source>Name each body of a joint once.</source>
-        <translation>Nommez une seule fois chaque corps d&apos;une liaison.</translation>
-    </message>
-    <message>
-        <source>there is no such joint that could be %1</source>
-        <translation>il n&apos;y a pas de telle liaison qui puisse être %1</translation>
-    </message>
-    <message>
-        <source>only an insert is pressed out</source>
-        <translation>seul un insert se chasse</translation>
-    </message>
-    <message>
-        <source>Dissolve the joint, or say &apos;opened&apos; of a unit.</source>
-        <translation>Supprimez la liaison, ou dites &apos;opened&apos; d&apos;une unité.</translation>
-    </message>
-    <message>
-        <source>pressed out</source>
-        <translation>chassée</translation>
-    </message>
-    <message>
-        <source>only a unit is opened</source>
-        <translation>seule une unité s&apos;ouvre</translation>
-    </message>
-    <message>
-        <source>Dissolve the joint.</source>
-        <translation>Supprimez la liaison.</translation>
-    </message>
-    <message>
-        <source>it has one body only</source>
-        <translation>elle n&apos;a qu&apos;un corps</translation>
-    </message>
-    <message>
-        <source>Name what it is joined with in &apos;others&apos;.</source>
-        <translation>Nommez dans &apos;others&apos; ce à quoi il est lié.</translation>
-    </message>
-    <message>
-        <source>its thread is not stated</source>
-        <translation>son filet n&apos;est pas indiqué</translation>
-    </message>
-    <message>
-        <source>Give &apos;thread&apos; with diameter, pitch and engaged length.</source>
-        <translation>Donnez &apos;thread&apos; avec le diamètre, le pas et la longueur engagée.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is far from &apos;%2&apos;</source>
-        <translation>&apos;%1&apos; est loin de &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>Join bodies that touch, or nearly do.</source>
-        <translation>Liez des corps qui se touchent, ou presque.</translation>
-    </message>
-    <message>
-        <source>only a snap bends</source>
-        <translation>seul un clip fléchit</translation>
-    </message>
-    <message>
-        <source>Remove &apos;bend_m&apos;.</source>
-        <translation>Supprimez &apos;bend_m&apos;.</translation>
-    </message>
-    <message>
-        <source>a hook does not bend by %1</source>
-        <translation>un crochet ne fléchit pas de %1</translation>
-    </message>
-    <message>
-        <source>Give 0 to %1 for this body.</source>
-        <translation>Donnez de 0 à %1 pour ce corps.</translation>
-    </message>
-    <message>
-        <source>Dissolve or change one of them.</source>
-        <translation>Supprimez ou changez l&apos;une d&apos;elles.</translation>
-    </message>
-    <message>
-        <source>clashes up to %1 are accepted (--accept-clashes %2)</source>
-        <translation>les collisions jusqu&apos;à %1 sont acceptées (--accept-clashes %2)</translation>
-    </message>
-    <message>
-        <source>the hook of &apos;%1&apos; in &apos;%2&apos; bends by %3</source>
-        <translation>le crochet de « %1 » dans « %2 » fléchit de %3</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is flexible, so that its motion needs no proof</source>
-        <translation>« %1 » est souple, si bien que son mouvement n&apos;a pas besoin de preuve</translation>
-    </message>
-    <message>
-        <source>no joints are used</source>
-        <translation>aucune liaison n&apos;est utilisée</translation>
-    </message>
-    <message>
-        <source>the joint of &apos;%1&apos; and &apos;%2&apos; is dissolved or pressed out</source>
-        <translation>la liaison de « %1 » et « %2 » est dissoute ou chassée</translation>
-    </message>
-    <message>
-        <source>%1 are one unit</source>
-        <translation>%1 forment une unité</translation>
-    </message>
-    <message>
-        <source>%1 stay as the base</source>
-        <translation>%1 restent comme base</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; may leave before &apos;%2&apos;, although the reverse is demanded</source>
-        <translation>« %1 » peut partir avant « %2 », bien que l&apos;inverse soit exigé</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; may leave as number %2, although it is demanded as number %3</source>
-        <translation>« %1 » peut partir en position %2, bien que la position %3 soit exigée</translation>
-    </message>
-    <message>
-        <source>the thread of &apos;%1&apos; in &apos;%2&apos; has a pitch of %3, which no standard thread of %4 has</source>
-        <translation>le filetage de « %1 » dans « %2 » a un pas de %3, qu&apos;aucun filetage normalisé de %4 n&apos;a</translation>
-    </message>
-    <message>
-        <source>the thread of &apos;%1&apos; in &apos;%2&apos; has a pitch of %3, although a person says %4</source>
-        <translation>le filetage de « %1 » dans « %2 » a un pas de %3, bien qu&apos;une personne dise %4</translation>
-    </message>
-    <message>
-        <source>the thread of &apos;%1&apos; in &apos;%2&apos; is left-handed</source>
-        <translation>le filetage de « %1 » dans « %2 » est à gauche</translation>
-    </message>
-    <message>
-        <source>the thread of &apos;%1&apos; in &apos;%2&apos; is right-handed, although a name says left-handed</source>
-        <translation>le filetage de « %1 » dans « %2 » est à droite, bien qu&apos;un nom dise à gauche</translation>
-    </message>
-    <message>
-        <source>a person says so</source>
-        <translation>une personne le dit</translation>
-    </message>
-    <message>
-        <source>a person says that it is pressed out</source>
-        <translation>une personne dit qu&apos;il se chasse</translation>
-    </message>
-    <message>
-        <source>a shaft of %1 with a head</source>
-        <translation>un fût de %1 avec une tête</translation>
-    </message>
-    <message>
-        <source>a shaft of %1 with a recess</source>
-        <translation>un fût de %1 avec une empreinte</translation>
-    </message>
-    <message>
-        <source>the shaft is thicker than the hole</source>
-        <translation>le fût est plus gros que le trou</translation>
-    </message>
-    <message>
-        <source>a nut is on the shaft</source>
-        <translation>un écrou est sur le fût</translation>
-    </message>
-    <message>
-        <source>the sizes do not agree: a shaft of %1 in a nut %2</source>
-        <translation>les tailles ne concordent pas&#xa0;: un fût de %1 dans un écrou %2</translation>
-    </message>
-    <message>
-        <source>the name says that it is a nut</source>
-        <translation>le nom dit que c&apos;est un écrou</translation>
-    </message>
-    <message>
-        <source>it has the width of a nut %1</source>
-        <translation>il a la largeur d&apos;un écrou %1</translation>
-    </message>
-    <message>
-        <source>the file has no hole there, so the screw makes it</source>
-        <translation>le fichier n&apos;a pas de trou à cet endroit&#xa0;: la vis le fait</translation>
-    </message>
-    <message>
-        <source>it is thicker by as much as a thread</source>
-        <translation>il est plus gros d&apos;autant qu&apos;un filetage</translation>
-    </message>
-    <message>
-        <source>the name says a left-hand thread</source>
-        <translation>le nom indique un filetage à gauche</translation>
-    </message>
-    <message>
-        <source>the name says a left-hand thread, the shape is a right-hand one</source>
-        <translation>le nom indique un filetage à gauche, la forme est à droite</translation>
-    </message>
-    <message>
-        <source>the hole is as wide as the shaft, and the farthest from the head</source>
-        <translation>le trou est aussi large que le fût, et le plus éloigné de la tête</translation>
-    </message>
-    <message>
-        <source>the hole is the narrowest, and the farthest from the head</source>
-        <translation>le trou est le plus étroit, et le plus éloigné de la tête</translation>
-    </message>
-    <message>
-        <source>the nut is free to be turned</source>
-        <translation>l&apos;écrou peut tourner librement</translation>
-    </message>
-    <message>
-        <source>a nut with a hole of %1</source>
-        <translation>un écrou avec un trou de %1</translation>
-    </message>
-    <message>
-        <source>a shaft is in the hole</source>
-        <translation>un arbre est dans le trou</translation>
-    </message>
-    <message>
-        <source>a ring in a hole</source>
-        <translation>une bague dans un trou</translation>
-    </message>
-    <message>
-        <source>it is %1 thicker than its hole</source>
-        <translation>plus gros de %1 que son trou</translation>
-    </message>
-    <message>
-        <source>it is as wide as its hole</source>
-        <translation>aussi large que son trou</translation>
-    </message>
-    <message>
-        <source>a thread is in it</source>
-        <translation>un filetage s&apos;y trouve</translation>
-    </message>
-    <message>
-        <source>a pin in a hole</source>
-        <translation>une goupille dans un trou</translation>
-    </message>
-    <message>
-        <source>a shaft of %1 in a hole</source>
-        <translation>un arbre de %1 dans un trou</translation>
-    </message>
-    <message>
-        <source>two rings with %1 balls between them</source>
-        <translation>deux bagues séparées par %1 billes</translation>
-    </message>
-    <message>
-        <source>two rings with %1 rollers between them</source>
-        <translation>deux bagues séparées par %1 rouleaux</translation>
-    </message>
-    <message>
-        <source>the name says &apos;%1&apos;</source>
-        <translation>le nom dit «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>the name says a thread of %1, the shape is %2</source>
-        <translation>le nom dit un filetage de %1, la forme a %2</translation>
-    </message>
-    <message>
-        <source>the name says the drive &apos;%1&apos;, the shape is &apos;%2&apos;</source>
-        <translation>le nom dit l&apos;empreinte «&#xa0;%1&#xa0;», la forme a «&#xa0;%2&#xa0;»</translation>
-    </message>
-    <message>
-        <source>the name says a drive of %1, the shape has %2</source>
-        <translation>le nom dit une empreinte de %1, la forme a %2</translation>
-    </message>
-    <message>
-        <source>the drive is that of the name</source>
-        <translation>l&apos;empreinte est celle du nom</translation>
-    </message>
-    <message>
-        <source>the head has the proportions of ISO 4762</source>
-        <translation>la tête a les proportions de l&apos;ISO 4762</translation>
-    </message>
-    <message>
-        <source>the assembly is called &apos;%1&apos;</source>
-        <translation>l&apos;assemblage s&apos;appelle «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>its class is &apos;%1&apos;</source>
-        <translation>sa classe est «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>it is a ring of round section</source>
-        <translation>c&apos;est un anneau de section ronde</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; names a standard that is not known</source>
-        <translation>«&#xa0;%1&#xa0;» nomme une norme inconnue</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no designation of a standard part that is known</source>
-        <translation>«&#xa0;%1&#xa0;» n&apos;est la désignation d&apos;aucune pièce normalisée connue</translation>
-    </message>
-    <message>
-        <source>Give one as &apos;ISO 4762 M3x8&apos;, &apos;DIN 934 M5&apos; or &apos;M3x8 SHCS&apos;.</source>
-        <translation>Donnez-la comme «&#xa0;ISO 4762 M3x8&#xa0;», «&#xa0;DIN 934 M5&#xa0;» ou «&#xa0;M3x8 SHCS&#xa0;».</translation>
-    </message>
-    <message>
-        <source>joints hold each other in a circle: %1</source>
-        <translation>des liaisons se tiennent en cercle&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>a shaft of %1</source>
-        <translation>un fût de %1</translation>
-    </message>
-    <message>
-        <source>with a head</source>
-        <translation>avec une tête</translation>
-    </message>
-    <message>
-        <source>with a recess</source>
-        <translation>avec une empreinte</translation>
-    </message>
-    <message>
-        <source>two rings with %1 between them</source>
-        <translation>deux bagues séparées par %1</translation>
-    </message>
-    <message>
-        <source>is not from 0 to %1</source>
-        <translation>n&apos;est pas de 0 à %1</translation>
-    </message>
-    <message>
-        <source>is not %1</source>
-        <translation>n&apos;est pas %1</translation>
-    </message>
-    <message>
-        <source>is no work time</source>
-        <translation>n&apos;est pas un temps de travail</translation>
-    </message>
-    <message>
-        <source>Take the names that &apos;times --write-table&apos; writes.</source>
-        <translation>Prenez les noms qu&apos;écrit «&#xa0;times --write-table&#xa0;».</translation>
-    </message>
-    <message>
-        <source>its hooks bend by %1 when it leaves along a line</source>
-        <translation>ses crochets fléchissent de %1 quand il part en ligne droite</translation>
-    </message>
-    <message>
-        <source>the document was cancelled</source>
-        <translation>le document a été annulé</translation>
-    </message>
-    <message>
-        <source>documents are not written in this format</source>
-        <translation>les documents ne sont pas écrits dans ce format</translation>
-    </message>
-    <message>
-        <source>Choose .html or .pdf.</source>
-        <translation>Choisissez .html ou .pdf.</translation>
-    </message>
-    <message>
-        <source>is a picture that cannot be read</source>
-        <translation>est une image illisible</translation>
-    </message>
-    <message>
-        <source>Save the logo as PNG again.</source>
-        <translation>Enregistrez de nouveau le logo en PNG.</translation>
-    </message>
-    <message>
-        <source>is no column of the parts list</source>
-        <translation>n&apos;est pas une colonne de la nomenclature</translation>
-    </message>
-    <message>
-        <source>Take picture, part, designation, count or steps.</source>
-        <translation>Prenez picture, part, designation, count ou steps.</translation>
-    </message>
-    <message>
-        <source>names no column</source>
-        <translation>ne nomme aucune colonne</translation>
-    </message>
-    <message>
-        <source>Name at least one column, or leave the member out.</source>
-        <translation>Nommez au moins une colonne, ou supprimez ce champ.</translation>
-    </message>
-    <message>
-        <source>is given twice</source>
-        <translation>est donné deux fois</translation>
-    </message>
-    <message>
-        <source>Name each column once.</source>
-        <translation>Nommez chaque colonne une fois.</translation>
-    </message>
-    <message>
-        <source>is not below the folder of the template</source>
-        <translation>n&apos;est pas sous le dossier du modèle</translation>
-    </message>
-    <message>
-        <source>Copy the picture beside the template and give its name.</source>
-        <translation>Copiez l&apos;image à côté du modèle et donnez son nom.</translation>
-    </message>
-    <message>
-        <source>is neither a PNG nor a JPEG picture</source>
-        <translation>n&apos;est une image ni PNG ni JPEG</translation>
-    </message>
-    <message>
-        <source>Save the logo as PNG.</source>
-        <translation>Enregistrez le logo en PNG.</translation>
-    </message>
-    <message>
-        <source>is no language of the instructions</source>
-        <translation>n&apos;est pas une langue des gammes</translation>
-    </message>
-    <message>
-        <source>Take en or fr.</source>
-        <translation>Prenez en ou fr.</translation>
-    </message>
-    <message>
-        <source>is no paper of the instructions</source>
-        <translation>n&apos;est pas un papier des gammes</translation>
-    </message>
-    <message>
-        <source>Take A4 or Letter.</source>
-        <translation>Prenez A4 ou Letter.</translation>
-    </message>
-    <message>
-        <source>the page has no 3D view, because the animation is too large</source>
-        <translation>la page n&apos;a pas de vue 3D, car l&apos;animation est trop grande</translation>
-    </message>
-    <message>
-        <source>Save the animation as GLB, and open it in a 3D viewer.</source>
-        <translation>Enregistrez l&apos;animation en GLB, et ouvrez-la dans une visionneuse 3D.</translation>
-    </message>
-    <message>
-        <source>the page has no 3D view, because three.js is not installed</source>
-        <translation>la page n&apos;a pas de vue 3D, car three.js n&apos;est pas installé</translation>
-    </message>
-    <message>
-        <source>Install the package libjs-three, and save the page again.</source>
-        <translation>Installez le paquet libjs-three, et enregistrez de nouveau la page.</translation>
-    </message>
-    <message>
-        <source>Raise --global-samples, or use the strategy Layers (gts).</source>
-        <translation>Augmentez --global-samples, ou prenez la stratégie Couches (gts).</translation>
-    </message>
-    <message>
-        <source>Change the semantic attributes, or use the strategy Layers (gts).</source>
-        <translation>Changez les attributs sémantiques, ou prenez la stratégie Couches (gts).</translation>
-    </message>
-    <message>
-        <source>it and %1 clash where they are assembled (%2): mend the parts, or accept the clash</source>
-        <translation>elle et %1 sont en collision à l’état assemblé (%2) : corrigez les pièces, ou acceptez la collision</translation>
-    </message>
-    <message>
-        <source>it and %1 clash where they are assembled: mend the parts, or accept the clash</source>
-        <translation>elle et %1 sont en collision à l’état assemblé : corrigez les pièces, ou acceptez la collision</translation>
-    </message>
-    <message>
-        <source>Balanced</source>
-        <translation>Équilibré</translation>
-    </message>
-    <message>
-        <source>Steady</source>
-        <translation>Stable</translation>
-    </message>
-    <message>
-        <source>is a Git LFS pointer: the file itself was not fetched</source>
-        <translation>est un pointeur Git LFS : le fichier lui-même n’a pas été récupéré</translation>
-    </message>
-    <message>
-        <source>Fetch it (git lfs pull), and load again.</source>
-        <translation>Récupérez-le (git lfs pull), puis rechargez.</translation>
-    </message>
-    <message>
-        <source>Give screw, nut, thread, insert, pin, snap, flexible, permanent or unit.</source>
-        <translation>Donnez screw, nut, thread, insert, pin, snap, flexible, permanent ou unit.</translation>
-    </message>
-    <message>
-        <source>the access of the hand was not checked to its end</source>
-        <translation>la vérification de l&apos;accès de la main n&apos;est pas terminée</translation>
-    </message>
-    <message>
-        <source>a shaft of %1 is %2 thicker than the hole around it, as a thread is</source>
-        <translation>un axe de %1, plus gros de %2 que le trou qui l&apos;entoure, comme un filetage</translation>
-    </message>
-    <message>
-        <source>neither body is a screw or a nut by its shape</source>
-        <translation>aucun des deux corps n&apos;a la forme d&apos;une vis ou d&apos;un écrou</translation>
-    </message>
-    <message>
-        <source>a helix is modelled on it</source>
-        <translation>une hélice y est modélisée</translation>
-    </message>
-</context>
-<context>
     <name>FilmWriter</name>
     <message>
         <source>Series of pictures (*.png)</source>
@@ -7581,60 +2704,1257 @@
         <source>&amp;Remove it and take the new one</source>
         <translation>&amp;La supprimer et prendre la nouvelle</translation>
     </message>
-</context>
-<context>
-    <name>Parameters</name>
+    <message>
+        <source>one of them is needed, and not both</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a path of the scenario&apos;s object, or an assembly plan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give three numbers in metres.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is for assembly plans: a path is of a scenario</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the body from the scenario.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is for assembly plans: a path states no words of a person</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave it out.</source>
+        <translation>Omettez-le.</translation>
+    </message>
+    <message>
+        <source>is below zero</source>
+        <translation>est négatif</translation>
+    </message>
+    <message>
+        <source>Give seconds, 0 for none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this format holds more than the path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name the scenario with --scenario, or write OMPL&apos;s format (.path).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a length, as 0.5mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>needs a scenario: a part file has no object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make a scenario of the file with glissade-cli new.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>was interrupted</source>
+        <translation>a été interrompu</translation>
+    </message>
+    <message>
+        <source>Send it to another file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>running the command</source>
+        <translation>exécution de la commande</translation>
+    </message>
+    <message>
+        <source>names the part that moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name another body.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See &apos;glissade-cli plan --help&apos; for the planners.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose gts to plan with them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the replay was not finished</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start it again.</source>
+        <translation>Recommencez.</translation>
+    </message>
+    <message>
+        <source>a forbidden place</source>
+        <translation>un lieu interdit</translation>
+    </message>
+    <message>
+        <source>forbids places to the path of its object; the steps of an assembly plan may cross them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forbid directions of parts instead (--forbid).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>warning: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing near</source>
+        <translation>aucun corps proche</translation>
+    </message>
+    <message>
+        <source>clearance %1 mm to &apos;%2&apos;</source>
+        <translation>jeu de %1 mm par rapport à « %2 »</translation>
+    </message>
+    <message>
+        <source>required %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2 of %3 edges slide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; %2 from forbidden places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>certified: %1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>violated: on edge %1 the object is in the thread of &apos;%2&apos;, and the edge is no turn about their axis by the pitch</source>
+        <translation>réfuté : sur le segment %1, l&apos;objet est dans le filetage de « %2 », et ce segment n&apos;est pas une rotation autour de leur axe au pas du filetage</translation>
+    </message>
+    <message>
+        <source>violated: %1 mm to &apos;%2&apos; on edge %3 at %4 (required %5 mm)</source>
+        <translation>réfuté : à %1 mm de « %2 » sur le segment %3, en %4 (exigé : %5 mm)</translation>
+    </message>
+    <message>
+        <source>certified</source>
+        <translation>certifiée</translation>
+    </message>
+    <message>
+        <source>violated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>undecided</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>undecided on edge %1</source>
+        <translation>indécis sur le segment %1</translation>
+    </message>
+    <message>
+        <source>allowance: %1</source>
+        <translation>amincissement : %1</translation>
+    </message>
+    <message>
+        <source>the certificate is about triangles, which are within +/- %1 of the CAD surfaces</source>
+        <translation>le certificat porte sur des triangles, à ± %1 des surfaces CAO</translation>
+    </message>
+    <message>
+        <source>coordinate spacing: mesh files hold 32-bit numbers or were closed at T-junctions, so that bodies may be %1 mm nearer</source>
+        <translation>espacement des coordonnées : des fichiers de maillage contiennent des nombres sur 32 bits ou ont été fermés à des jonctions en T, si bien que les corps peuvent être plus proches de %1 mm</translation>
+    </message>
+    <message>
+        <source>clearance %1 to %2 mm</source>
+        <translation>jeu de %1 à %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 to &apos;%2&apos; at %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>  edge %1: %2, %3 (required %4 mm, sliding)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>  edge %1: %2, %3 (required %4 mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give 3,name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give name,-z or name,0,0,-1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give first,then.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is no direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give three numbers, as 0 0 -1.</source>
+        <translation>Donnez trois nombres, comme 0 0 -1.</translation>
+    </message>
+    <message>
+        <source>Choose recognised, suggested or off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>are off, so that no part leaves that touches another one where it is assembled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run again with --fits on, or switch them on in the scenario.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has a strategy, a seed, staying bodies and a deflection of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave out --strategy, --seed, --stay and --deflection, or plan anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has demands of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave out --together, --before, --place, --forbid, --gravity, --joints and --cost, or plan anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose greedy or best-first.</source>
+        <translation>Choisissez greedy ou best-first.</translation>
+    </message>
+    <message>
+        <source>was reached while fits were searched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give more time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only certified paths are smoothed. glissade-cli check says more about the path.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write 1/4, 2/4, 3/4 and 4/4 for four shards.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the swept volume was not written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>running the workbench</source>
+        <translation>exécution du programme</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>ligne %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>is not a number</source>
+        <translation>n&apos;est pas un nombre</translation>
+    </message>
+    <message>
+        <source>Give a number.</source>
+        <translation>Indiquez un nombre.</translation>
+    </message>
+    <message>
+        <source>is not a whole number</source>
+        <translation>n&apos;est pas un nombre entier</translation>
+    </message>
+    <message>
+        <source>Give a number of 0 or more.</source>
+        <translation>Indiquez un nombre positif ou nul.</translation>
+    </message>
+    <message>
+        <source>is not a mode of stereo</source>
+        <translation>n&apos;est pas un mode stéréo</translation>
+    </message>
+    <message>
+        <source>glissade --help names them.</source>
+        <translation>glissade --help les énumère.</translation>
+    </message>
+    <message>
+        <source>is a mode that is not possible here</source>
+        <translation>est un mode impossible ici</translation>
+    </message>
+    <message>
+        <source>is a file too many: one scenario is opened</source>
+        <translation>est un fichier de trop : un seul scénario est ouvert</translation>
+    </message>
+    <message>
+        <source>Give one scenario, or on screen part files only. glissade-cli new makes a scenario of parts.</source>
+        <translation>Indiquez un scénario ou, à l&apos;écran, des fichiers de pièces seulement. glissade-cli new fait un scénario à partir de pièces.</translation>
+    </message>
+    <message>
+        <source>See glissade --help.</source>
+        <translation>Voir glissade --help.</translation>
+    </message>
+    <message>
+        <source>is not WIDTHxHEIGHT</source>
+        <translation>n&apos;est pas LARGEURxHAUTEUR</translation>
+    </message>
+    <message>
+        <source>Give for example 1280x720.</source>
+        <translation>Indiquez par exemple 1280x720.</translation>
+    </message>
+    <message>
+        <source>is not a whole number from 16 to 2048</source>
+        <translation>n&apos;est pas un nombre entier de 16 à 2048</translation>
+    </message>
+    <message>
+        <source>Give for example 256.</source>
+        <translation>Indiquez par exemple 256.</translation>
+    </message>
+    <message>
+        <source>is neither light nor dark</source>
+        <translation>n&apos;est ni light ni dark</translation>
+    </message>
+    <message>
+        <source>is neither en nor fr</source>
+        <translation>n&apos;est ni en ni fr</translation>
+    </message>
+    <message>
+        <source>looking for places to help</source>
+        <translation>recherche d&apos;endroits où aider</translation>
+    </message>
+    <message>
+        <source>edits cannot be saved automatically: %1</source>
+        <translation>les modifications ne peuvent pas être enregistrées automatiquement : %1</translation>
+    </message>
+    <message>
+        <source>Save the scenario.</source>
+        <translation>Enregistrez le scénario.</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>le départ</translation>
+    </message>
+    <message>
+        <source>goal</source>
+        <translation>le but</translation>
+    </message>
+    <message>
+        <source>planning coarsely</source>
+        <translation>planification grossière</translation>
+    </message>
+    <message>
+        <source>finding edges and faces</source>
+        <translation>recherche des arêtes et des faces</translation>
+    </message>
+    <message>
+        <source>ffmpeg could not write the film: %1</source>
+        <translation>ffmpeg n&apos;a pas pu écrire le film : %1</translation>
+    </message>
+    <message>
+        <source>Check the folder, its free space, and that ffmpeg has the codecs libx264 and libvpx-vp9.</source>
+        <translation>Vérifiez le dossier, sa place libre, et la présence des codecs libx264 et libvpx-vp9 dans ffmpeg.</translation>
+    </message>
+    <message>
+        <source>the film was cancelled</source>
+        <translation>le film a été annulé</translation>
+    </message>
+    <message>
+        <source>ffmpeg is needed for films, and is not installed</source>
+        <translation>ffmpeg est nécessaire pour les films, et n&apos;est pas installé</translation>
+    </message>
+    <message>
+        <source>Install the package ffmpeg, or give a name that ends with .png for a series of pictures.</source>
+        <translation>Installez le paquet ffmpeg, ou donnez un nom qui finit par .png pour une série d&apos;images.</translation>
+    </message>
+    <message>
+        <source>films are not written in this format</source>
+        <translation>les films ne sont pas écrits dans ce format</translation>
+    </message>
+    <message>
+        <source>Choose one of: .mp4, .webm, .png.</source>
+        <translation>Choisissez parmi : .mp4, .webm, .png.</translation>
+    </message>
+    <message>
+        <source>handling an event of the window</source>
+        <translation>traitement d&apos;un événement de la fenêtre</translation>
+    </message>
+    <message>
+        <source>showing an error</source>
+        <translation>affichage d&apos;une erreur</translation>
+    </message>
+    <message>
+        <source>UDP port %1</source>
+        <translation>port UDP %1</translation>
+    </message>
+    <message>
+        <source>there is no plan to write</source>
+        <translation>il n&apos;y a pas de plan à écrire</translation>
+    </message>
+    <message>
+        <source>Plan the sequence first.</source>
+        <translation>Planifiez d&apos;abord la séquence.</translation>
+    </message>
+    <message>
+        <source>documents are not written in this format</source>
+        <translation>les documents ne sont pas écrits dans ce format</translation>
+    </message>
+    <message>
+        <source>Choose .html or .pdf.</source>
+        <translation>Choisissez .html ou .pdf.</translation>
+    </message>
+    <message>
+        <source>the document was cancelled</source>
+        <translation>le document a été annulé</translation>
+    </message>
+    <message>
+        <source>looking for joints</source>
+        <translation>recherche des liaisons</translation>
+    </message>
+    <message>
+        <source>proving a kept path</source>
+        <translation>preuve d&apos;un chemin gardé</translation>
+    </message>
+    <message>
+        <source>another object moves now</source>
+        <translation>l&apos;objet n&apos;est plus le même</translation>
+    </message>
+    <message>
+        <source>Make &apos;%1&apos; the object first.</source>
+        <translation>Faites d&apos;abord de « %1 » l&apos;objet.</translation>
+    </message>
+    <message>
+        <source>a run is going on</source>
+        <translation>un calcul est en cours</translation>
+    </message>
+    <message>
+        <source>Stop the run first.</source>
+        <translation>Arrêtez d&apos;abord le calcul.</translation>
+    </message>
+    <message>
+        <source>measuring a clearance</source>
+        <translation>mesure d&apos;un jeu</translation>
+    </message>
+    <message>
+        <source>the milestone would be in collision with &apos;%1&apos;</source>
+        <translation>le jalon serait en collision avec « %1 »</translation>
+    </message>
+    <message>
+        <source>Drop it where the object is free.</source>
+        <translation>Lâchez-le là où l&apos;objet est libre.</translation>
+    </message>
+    <message>
+        <source>the report of a path is written as .html or .pdf</source>
+        <translation>le rapport d&apos;un chemin s&apos;écrit en .html ou .pdf</translation>
+    </message>
+    <message>
+        <source>Give a file name with one of these endings.</source>
+        <translation>Donnez un nom de fichier avec l&apos;une de ces extensions.</translation>
+    </message>
+    <message>
+        <source>The path</source>
+        <translation>Le chemin</translation>
+    </message>
+    <message>
+        <source>The place with the smallest clearance</source>
+        <translation>L&apos;endroit du plus petit jeu</translation>
+    </message>
+    <message>
+        <source>no scenario is open</source>
+        <translation>aucun scénario n&apos;est ouvert</translation>
+    </message>
+    <message>
+        <source>Open its scenario first.</source>
+        <translation>Ouvrez d&apos;abord son scénario.</translation>
+    </message>
+    <message>
+        <source>a recording is shown</source>
+        <translation>un enregistrement est affiché</translation>
+    </message>
+    <message>
+        <source>Close the replay first.</source>
+        <translation>Fermez d&apos;abord la relecture.</translation>
+    </message>
+    <message>
+        <source>measuring the clearance along the path</source>
+        <translation>mesure du jeu le long du chemin</translation>
+    </message>
+    <message>
+        <source>there is no path to export</source>
+        <translation>il n&apos;y a pas de chemin à exporter</translation>
+    </message>
+    <message>
+        <source>Solve first.</source>
+        <translation>Cherchez d&apos;abord un chemin.</translation>
+    </message>
+    <message>
+        <source>there is no path to report</source>
+        <translation>il n&apos;y a pas de chemin dont faire le rapport</translation>
+    </message>
+    <message>
+        <source>there is no path to film</source>
+        <translation>il n&apos;y a pas de chemin à filmer</translation>
+    </message>
+    <message>
+        <source>examining start and goal</source>
+        <translation>examen du départ et du but</translation>
+    </message>
+    <message>
+        <source>there is no run to save</source>
+        <translation>il n&apos;y a pas de calcul à enregistrer</translation>
+    </message>
+    <message>
+        <source>Start one first.</source>
+        <translation>Lancez d&apos;abord un calcul.</translation>
+    </message>
+    <message>
+        <source>cutting bodies open</source>
+        <translation>coupe des corps</translation>
+    </message>
+    <message>
+        <source>no product is open</source>
+        <translation>aucun produit n&apos;est ouvert</translation>
+    </message>
+    <message>
+        <source>Open the product first.</source>
+        <translation>Ouvrez d&apos;abord le produit.</translation>
+    </message>
+    <message>
+        <source>is not written yet</source>
+        <translation>n&apos;est pas encore écrit</translation>
+    </message>
+    <message>
+        <source>Wait.</source>
+        <translation>Attendez.</translation>
+    </message>
+    <message>
+        <source>assembly plans are not written in this format</source>
+        <translation>les plans d&apos;assemblage ne s&apos;écrivent pas dans ce format</translation>
+    </message>
+    <message>
+        <source>Choose one of: .json, .csv, .glb, .html, .pdf, .mp4, .webm, .png.</source>
+        <translation>Choisissez parmi : .json, .csv, .glb, .html, .pdf, .mp4, .webm, .png.</translation>
+    </message>
+    <message>
+        <source>looking for a view of the step</source>
+        <translation>recherche d&apos;une vue de l&apos;étape</translation>
+    </message>
+    <message>
+        <source>cell %1, seed %2</source>
+        <translation>cellule %1, graine %2</translation>
+    </message>
+    <message>
+        <source>ends otherwise than in the study</source>
+        <translation>se termine autrement que dans l&apos;étude</translation>
+    </message>
+    <message>
+        <source>Use the version that made it, or make the study again.</source>
+        <translation>Utilisez la version qui l&apos;a produite, ou refaites l&apos;étude.</translation>
+    </message>
+    <message>
+        <source>is for runs without a display</source>
+        <translation>est prévu pour les exécutions sans affichage</translation>
+    </message>
+    <message>
+        <source>Add --offscreen.</source>
+        <translation>Ajoutez --offscreen.</translation>
+    </message>
+    <message>
+        <source>is a run of a sequence, which is not shown as a path</source>
+        <translation>est un essai de séquence, qui ne s&apos;affiche pas comme un chemin</translation>
+    </message>
+    <message>
+        <source>Open its scenario and plan the sequence with this seed.</source>
+        <translation>Ouvrez son scénario et planifiez la séquence avec cette graine.</translation>
+    </message>
+    <message>
+        <source>the scenario has changed since the study was made</source>
+        <translation>le scénario a changé depuis que l&apos;étude a été faite</translation>
+    </message>
+    <message>
+        <source>Put the old one back, or make the study again.</source>
+        <translation>Remettez l&apos;ancien scénario, ou refaites l&apos;étude.</translation>
+    </message>
+    <message>
+        <source>dividing the work</source>
+        <translation>répartition du travail</translation>
+    </message>
+    <message>
+        <source>looking for variants</source>
+        <translation>recherche de variantes</translation>
+    </message>
+    <message>
+        <source>announcing a result</source>
+        <translation>annonce d&apos;un résultat</translation>
+    </message>
+    <message>
+        <source>the journal cannot be written: %1</source>
+        <translation>le journal ne peut pas être écrit : %1</translation>
+    </message>
+    <message>
+        <source>The run is not recorded on disk.</source>
+        <translation>Le calcul n&apos;est pas enregistré sur disque.</translation>
+    </message>
+    <message>
+        <source>building the environment model</source>
+        <translation>construction du modèle d&apos;environnement</translation>
+    </message>
+    <message>
+        <source>replaying the recording</source>
+        <translation>relecture de l&apos;enregistrement</translation>
+    </message>
+    <message>
+        <source>planning the sequence</source>
+        <translation>planification de la séquence</translation>
+    </message>
+    <message>
+        <source>checking the sequence</source>
+        <translation>vérification de la séquence</translation>
+    </message>
+    <message>
+        <source>preparing the planner</source>
+        <translation>préparation du planificateur</translation>
+    </message>
+    <message>
+        <source>Keyboard</source>
+        <translation>Clavier</translation>
+    </message>
+    <message>
+        <source>6D mouse</source>
+        <translation>Souris 6D</translation>
+    </message>
+    <message>
+        <source>Gamepad</source>
+        <translation>Manette</translation>
+    </message>
+    <message>
+        <source>Left controller</source>
+        <translation>Manette gauche</translation>
+    </message>
+    <message>
+        <source>Right controller</source>
+        <translation>Manette droite</translation>
+    </message>
+    <message>
+        <source>arranging the product</source>
+        <translation>arrangement du produit</translation>
+    </message>
+    <message>
+        <source>there is no kept path of this name</source>
+        <translation>il n&apos;y a pas de chemin gardé de ce nom</translation>
+    </message>
+    <message>
+        <source>Choose one of the list.</source>
+        <translation>Choisissez-en un dans la liste.</translation>
+    </message>
+    <message>
+        <source>the new name is empty</source>
+        <translation>le nouveau nom est vide</translation>
+    </message>
+    <message>
+        <source>Give a name.</source>
+        <translation>Donnez un nom.</translation>
+    </message>
+    <message>
+        <source>another path has this name</source>
+        <translation>un autre chemin porte ce nom</translation>
+    </message>
+    <message>
+        <source>Give another name.</source>
+        <translation>Indiquez un autre nom.</translation>
+    </message>
+    <message>
+        <source>there is no such attribute</source>
+        <translation>cet attribut n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>Add it first.</source>
+        <translation>Ajoutez-le d&apos;abord.</translation>
+    </message>
+    <message>
+        <source>another place has this name</source>
+        <translation>un autre lieu porte ce nom</translation>
+    </message>
+    <message>
+        <source>Choose another.</source>
+        <translation>Choisissez-en un autre.</translation>
+    </message>
+    <message>
+        <source>the scenario&apos;s rule %1 uses the attribute &apos;%2&apos;</source>
+        <translation>la règle %1 du scénario utilise l&apos;attribut « %2 »</translation>
+    </message>
+    <message>
+        <source>Change the rule first.</source>
+        <translation>Changez d&apos;abord la règle.</translation>
+    </message>
+    <message>
+        <source>Write it like 0.25.</source>
+        <translation>Écrivez-le comme 0.25.</translation>
+    </message>
+    <message>
+        <source>reading the parts</source>
+        <translation>lecture des pièces</translation>
+    </message>
+    <message>
+        <source>is a picture that cannot be read</source>
+        <translation>est une image illisible</translation>
+    </message>
+    <message>
+        <source>Save the logo as PNG again.</source>
+        <translation>Enregistrez de nouveau le logo en PNG.</translation>
+    </message>
+    <message>
+        <source>the page of the manual has no heading</source>
+        <translation>la page du manuel n&apos;a pas de titre</translation>
+    </message>
+    <message>
+        <source>Write it.</source>
+        <translation>Écrivez-le.</translation>
+    </message>
+    <message>
+        <source>the manual names what does not exist: %1</source>
+        <translation>le manuel nomme ce qui n&apos;existe pas : %1</translation>
+    </message>
+    <message>
+        <source>Correct the page.</source>
+        <translation>Corrigez la page.</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>le dossier ne peut pas être créé</translation>
+    </message>
+    <message>
+        <source>Choose another folder.</source>
+        <translation>Choisissez un autre dossier.</translation>
+    </message>
+    <message>
+        <source>drawing the parts</source>
+        <translation>dessin des pièces</translation>
+    </message>
+    <message>
+        <source>the picture cannot be written in this format</source>
+        <translation>l&apos;image ne peut pas être écrite dans ce format</translation>
+    </message>
+    <message>
+        <source>Choose a name that ends in .png or .jpg.</source>
+        <translation>Choisissez un nom qui finit par .png ou .jpg.</translation>
+    </message>
+    <message>
+        <source>the access of the hand was not checked to its end</source>
+        <translation>la vérification de l&apos;accès de la main n&apos;est pas terminée</translation>
+    </message>
+    <message>
+        <source>names &apos;%1&apos;, which is not a body of the product</source>
+        <translation>nomme « %1 », qui n&apos;est pas un corps du produit</translation>
+    </message>
+    <message>
+        <source>See &apos;glissade-cli fits&apos; for the names.</source>
+        <translation>Les noms sont ceux de « glissade-cli fits ».</translation>
+    </message>
+    <message>
+        <source>leaves no body</source>
+        <translation>ne laisse aucun corps</translation>
+    </message>
+    <message>
+        <source>Name fewer bodies.</source>
+        <translation>Nommez moins de corps.</translation>
+    </message>
+    <message>
+        <source>the proof is about the product without these shapes, which the file states: %1</source>
+        <translation>la preuve porte sur le produit sans ces formes, que le fichier énonce : %1</translation>
+    </message>
+    <message>
+        <source>its input and output cannot be made</source>
+        <translation>ses flux d&apos;entrée et de sortie ne peuvent pas être créés</translation>
+    </message>
+    <message>
+        <source>no process can be made</source>
+        <translation>aucun processus ne peut être créé</translation>
+    </message>
+    <message>
+        <source>it cannot have a session of its own</source>
+        <translation>il ne peut pas avoir sa propre session</translation>
+    </message>
+    <message>
+        <source>its limits cannot be set</source>
+        <translation>ses limites ne peuvent pas être fixées</translation>
+    </message>
+    <message>
+        <source>its open files cannot be closed</source>
+        <translation>ses fichiers ouverts ne peuvent pas être fermés</translation>
+    </message>
+    <message>
+        <source>its file cannot be run</source>
+        <translation>son fichier ne peut pas être exécuté</translation>
+    </message>
+    <message>
+        <source>cannot be started: %1: %2</source>
+        <translation>ne peut pas être lancé : %1 : %2</translation>
+    </message>
+    <message>
+        <source>Install the program again.</source>
+        <translation>Réinstallez le programme.</translation>
+    </message>
+    <message>
+        <source>Run fewer programs at once, or free some memory.</source>
+        <translation>Exécutez moins de programmes en même temps, ou libérez de la mémoire.</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>ne peut pas être lu : %1</translation>
+    </message>
+    <message>
+        <source>is too large</source>
+        <translation>est trop grand</translation>
+    </message>
+    <message>
+        <source>Give a file of its kind.</source>
+        <translation>Donnez un fichier du type voulu.</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>ne peut pas être ouvert : %1</translation>
+    </message>
+    <message>
+        <source>Check the name and the folder.</source>
+        <translation>Vérifiez le nom et le dossier.</translation>
+    </message>
+    <message>
+        <source>is not a regular file</source>
+        <translation>n&apos;est pas un fichier ordinaire</translation>
+    </message>
+    <message>
+        <source>Give a file, not a folder, a pipe or a device.</source>
+        <translation>Donnez un fichier, et non un dossier, un tube ou un périphérique.</translation>
+    </message>
+    <message>
+        <source>was saved, but %1</source>
+        <translation>a été enregistré, mais %1</translation>
+    </message>
+    <message>
+        <source>was not saved: another program has changed the file since it was read</source>
+        <translation>n&apos;a pas été enregistré : un autre programme a modifié le fichier depuis sa lecture</translation>
+    </message>
+    <message>
+        <source>Save under another name, or open the file again.</source>
+        <translation>Enregistrez sous un autre nom, ou ouvrez de nouveau le fichier.</translation>
+    </message>
+    <message>
+        <source>was not saved: the file has been removed or renamed since it was read</source>
+        <translation>n&apos;a pas été enregistré : le fichier a été supprimé ou renommé depuis sa lecture</translation>
+    </message>
+    <message>
+        <source>Save under another name.</source>
+        <translation>Enregistrez sous un autre nom.</translation>
+    </message>
+    <message>
+        <source>its group</source>
+        <translation>son groupe</translation>
+    </message>
+    <message>
+        <source>its owner</source>
+        <translation>son propriétaire</translation>
+    </message>
+    <message>
+        <source>its owner and group</source>
+        <translation>son propriétaire et son groupe</translation>
+    </message>
+    <message>
+        <source>%1 could not be kept</source>
+        <translation>%1 n&apos;ont pas pu être conservés</translation>
+    </message>
+    <message>
+        <source>Ask the former owner if others read the file.</source>
+        <translation>Si d&apos;autres personnes lisent ce fichier, adressez-vous à l&apos;ancien propriétaire.</translation>
+    </message>
+    <message>
+        <source>its permissions cannot be set</source>
+        <translation>ses droits d&apos;accès ne peuvent pas être fixés</translation>
+    </message>
+    <message>
+        <source>its access control list could not be kept</source>
+        <translation>sa liste de contrôle d&apos;accès n&apos;a pas pu être conservée</translation>
+    </message>
+    <message>
+        <source>Set it again.</source>
+        <translation>Fixez-la de nouveau.</translation>
+    </message>
+    <message>
+        <source>the file has %1 more names (hard links), which keep the old content</source>
+        <translation>le fichier a %1 autres noms (liens physiques), qui gardent l&apos;ancien contenu</translation>
+    </message>
+    <message>
+        <source>Copy the file over them, or link them again.</source>
+        <translation>Copiez le fichier à leur place, ou refaites les liens.</translation>
+    </message>
+    <message>
+        <source>cannot be saved over the present file: %1</source>
+        <translation>ne peut pas remplacer le fichier présent : %1</translation>
+    </message>
+    <message>
+        <source>its folder could not be flushed to the disk</source>
+        <translation>son dossier n&apos;a pas pu être écrit sur le disque</translation>
+    </message>
+    <message>
+        <source>After a power failure the file may have its old content. Save again.</source>
+        <translation>Après une coupure de courant, le fichier pourrait avoir son ancien contenu. Enregistrez de nouveau.</translation>
+    </message>
+    <message>
+        <source>no earlier version was kept</source>
+        <translation>aucune version antérieure n&apos;a été conservée</translation>
+    </message>
+    <message>
+        <source>It could not be read.</source>
+        <translation>Elle n&apos;a pas pu être lue.</translation>
+    </message>
+    <message>
+        <source>no earlier version was kept: %1</source>
+        <translation>aucune version antérieure n&apos;a été conservée : %1</translation>
+    </message>
+    <message>
+        <source>its folder of earlier versions cannot be made</source>
+        <translation>son dossier de versions antérieures ne peut pas être créé</translation>
+    </message>
+    <message>
+        <source>the permissions of its earlier version cannot be set</source>
+        <translation>les droits d&apos;accès de sa version antérieure ne peuvent pas être fixés</translation>
+    </message>
+    <message>
+        <source>its earlier version cannot be flushed to the disk</source>
+        <translation>sa version antérieure ne peut pas être écrite sur le disque</translation>
+    </message>
+    <message>
+        <source>there was not enough memory while %1 (%2)</source>
+        <translation>la mémoire n&apos;a pas suffi pour cette opération : %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Close other programs or use coarser parts, then try again.</source>
+        <translation>Fermez d&apos;autres programmes ou prenez des pièces moins fines, puis réessayez.</translation>
+    </message>
+    <message>
+        <source>an error occurred while %1: %2</source>
+        <translation>une erreur est survenue pendant cette opération : %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Try again. If it happens again, report it with the scenario and the seed.</source>
+        <translation>Réessayez. Si l&apos;erreur revient, signalez-la avec le scénario et la graine.</translation>
+    </message>
+    <message>
+        <source>of an unknown kind</source>
+        <translation>de nature inconnue</translation>
+    </message>
+    <message>
+        <source>out of memory</source>
+        <translation>mémoire insuffisante</translation>
+    </message>
+    <message>
+        <source>is not an object</source>
+        <translation>n&apos;est pas un objet JSON</translation>
+    </message>
+    <message>
+        <source>is an unknown key</source>
+        <translation>est une clé inconnue</translation>
+    </message>
+    <message>
+        <source>Remove it, or use one of: %1.</source>
+        <translation>Supprimez-la, ou utilisez l&apos;une de : %1.</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>manque</translation>
+    </message>
+    <message>
+        <source>Add it.</source>
+        <translation>Ajoutez-le.</translation>
+    </message>
+    <message>
+        <source>is not a list</source>
+        <translation>n&apos;est pas une liste</translation>
+    </message>
+    <message>
+        <source>has more than %1 entries</source>
+        <translation>a plus de %1 éléments</translation>
+    </message>
+    <message>
+        <source>is not a text</source>
+        <translation>n&apos;est pas un texte</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>est vide</translation>
+    </message>
+    <message>
+        <source>holds a zero byte, which no file&apos;s name can</source>
+        <translation>contient un octet nul, ce qu&apos;aucun nom de fichier ne peut</translation>
+    </message>
+    <message>
+        <source>is not a finite number</source>
+        <translation>n&apos;est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>is not above zero</source>
+        <translation>n&apos;est pas supérieur à zéro</translation>
+    </message>
+    <message>
+        <source>is beyond 1e9 m</source>
+        <translation>dépasse 1e9 m</translation>
+    </message>
+    <message>
+        <source>Give metres; check the unit.</source>
+        <translation>Donnez des mètres ; vérifiez l&apos;unité.</translation>
+    </message>
+    <message>
+        <source>is not from 1e-12 m to 1e9 m</source>
+        <translation>n&apos;est pas entre 1e-12 m et 1e9 m</translation>
+    </message>
+    <message>
+        <source>is not a whole number of zero or more</source>
+        <translation>n&apos;est pas un nombre entier positif ou nul</translation>
+    </message>
+    <message>
+        <source>is neither true nor false</source>
+        <translation>n&apos;est ni true ni false</translation>
+    </message>
+    <message>
+        <source>is nested too deeply</source>
+        <translation>est trop imbriqué</translation>
+    </message>
+    <message>
+        <source>holds too many values</source>
+        <translation>contient trop de valeurs</translation>
+    </message>
+    <message>
+        <source>holds the key &apos;%1&apos; twice in one object</source>
+        <translation>contient deux fois la clé « %1 » dans un objet</translation>
+    </message>
+    <message>
+        <source>holds an object with more than %1 keys</source>
+        <translation>contient un objet de plus de %1 clés</translation>
+    </message>
+    <message>
+        <source>was not read to its end</source>
+        <translation>n&apos;a pas été lu jusqu&apos;au bout</translation>
+    </message>
+    <message>
+        <source>Open it again.</source>
+        <translation>Ouvrez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>Give a file with content.</source>
+        <translation>Donnez un fichier qui a un contenu.</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>ligne %1, colonne %2</translation>
+    </message>
+    <message>
+        <source>is not valid JSON</source>
+        <translation>n&apos;est pas du JSON valide</translation>
+    </message>
+    <message>
+        <source>Correct the text there.</source>
+        <translation>Corrigez le texte à cet endroit.</translation>
+    </message>
+    <message>
+        <source>Correct the file.</source>
+        <translation>Corrigez le fichier.</translation>
+    </message>
+    <message>
+        <source>holds a number that is out of range</source>
+        <translation>contient un nombre hors limites</translation>
+    </message>
+    <message>
+        <source>Correct the number.</source>
+        <translation>Corrigez le nombre.</translation>
+    </message>
     <message>
         <source>Authority</source>
         <translation>Autorité</translation>
+    </message>
+    <message>
+        <source>The computer&apos;s share of the iterations: 1 is the automatic planner alone, 0 the operator alone.</source>
+        <translation>La part de l&apos;ordinateur dans les itérations : 1 est le planificateur seul, 0 l&apos;opérateur seul.</translation>
     </message>
     <message>
         <source>Contact samples</source>
         <translation>Échantillons de contact</translation>
     </message>
     <message>
-        <source>Contact distance</source>
-        <translation>Distance de contact</translation>
-    </message>
-    <message>
-        <source>Contact disc</source>
-        <translation>Disque de contact</translation>
-    </message>
-    <message>
-        <source>The computer&apos;s share of the iterations: 1 is the automatic planner alone, 0 the operator alone.</source>
-        <translation>La part de l&apos;ordinateur dans les itérations&#xa0;: 1 est le planificateur seul, 0 l&apos;opérateur seul.</translation>
-    </message>
-    <message>
         <source>Samples shot on the tangent plane each time contact mode is entered.</source>
         <translation>Échantillons tirés sur le plan tangent à chaque entrée en mode contact.</translation>
+    </message>
+    <message>
+        <source>Contact distance</source>
+        <translation>Distance de contact</translation>
     </message>
     <message>
         <source>Closer than this to the nearest obstacle, contact mode begins.</source>
         <translation>Le mode contact commence quand l&apos;obstacle le plus proche est à moins de cette distance.</translation>
     </message>
     <message>
+        <source>Contact disc</source>
+        <translation>Disque de contact</translation>
+    </message>
+    <message>
         <source>Radius of the disc on the tangent plane in which contact samples are shot.</source>
         <translation>Rayon du disque du plan tangent dans lequel les échantillons de contact sont tirés.</translation>
+    </message>
+    <message>
+        <source>Contact gap</source>
+        <translation>Écart au contact</translation>
+    </message>
+    <message>
+        <source>Gap that contact samples keep to the surface, so that they touch without penetrating.</source>
+        <translation>Écart que les échantillons de contact gardent à la surface, pour toucher sans pénétrer.</translation>
     </message>
     <message>
         <source>Required clearance</source>
         <translation>Jeu exigé</translation>
     </message>
     <message>
+        <source>Clearance that a delivered path is proved to keep.</source>
+        <translation>Jeu dont il est prouvé que le chemin livré le garde.</translation>
+    </message>
+    <message>
+        <source>Growth step</source>
+        <translation>Pas de croissance</translation>
+    </message>
+    <message>
+        <source>Sampling step of edges while the trees grow (delivered edges are certified).</source>
+        <translation>Pas d&apos;échantillonnage des segments pendant la croissance des arbres (les segments livrés sont certifiés).</translation>
+    </message>
+    <message>
+        <source>Extension step</source>
+        <translation>Pas d&apos;extension</translation>
+    </message>
+    <message>
+        <source>A blocked extension towards a random configuration ends at a multiple of this, off the obstacle.</source>
+        <translation>Une extension bloquée vers une configuration aléatoire s&apos;arrête à un multiple de ce pas, à l&apos;écart de l&apos;obstacle.</translation>
+    </message>
+    <message>
+        <source>Steps per second</source>
+        <translation>Pas par seconde</translation>
+    </message>
+    <message>
+        <source>Lockstep clock: planner steps in one second of the simulated or recorded operator.</source>
+        <translation>Horloge du mode pas à pas : pas du planificateur par seconde de l&apos;opérateur simulé ou enregistré.</translation>
+    </message>
+    <message>
+        <source>Step limit</source>
+        <translation>Limite de pas</translation>
+    </message>
+    <message>
+        <source>Stop after this many planner steps; 0 is no limit.</source>
+        <translation>Arrêter après ce nombre de pas du planificateur ; 0 : sans limite.</translation>
+    </message>
+    <message>
+        <source>Sample limit</source>
+        <translation>Limite d&apos;échantillons</translation>
+    </message>
+    <message>
+        <source>Stop after this many random configurations; 0 is no limit.</source>
+        <translation>Arrêter après ce nombre de configurations aléatoires ; 0 : sans limite.</translation>
+    </message>
+    <message>
+        <source>Time limit</source>
+        <translation>Limite de temps</translation>
+    </message>
+    <message>
+        <source>Stop after this many seconds of planning; 0 is no limit.</source>
+        <translation>Arrêter après ce nombre de secondes de planification ; 0 : sans limite.</translation>
+    </message>
+    <message>
+        <source>Samples of strategy G</source>
+        <translation>Échantillons de la stratégie G</translation>
+    </message>
+    <message>
+        <source>Strategy G gives up after this many random configurations.</source>
+        <translation>La stratégie G abandonne après ce nombre de configurations aléatoires.</translation>
+    </message>
+    <message>
+        <source>Samples a step</source>
+        <translation>Échantillons par étape</translation>
+    </message>
+    <message>
+        <source>A topological step fails after this many random configurations.</source>
+        <translation>Une étape topologique échoue après ce nombre de configurations aléatoires.</translation>
+    </message>
+    <message>
+        <source>Samples a border</source>
+        <translation>Échantillons par frontière</translation>
+    </message>
+    <message>
+        <source>Random configurations drawn in a border to find its milestone.</source>
+        <translation>Configurations aléatoires tirées dans une frontière pour trouver son jalon.</translation>
+    </message>
+    <message>
+        <source>Coarse paths</source>
+        <translation>Chemins grossiers</translation>
+    </message>
+    <message>
+        <source>Coarse paths that a strategy with a loop tries before it searches the whole workspace only.</source>
+        <translation>Nombre de chemins grossiers qu&apos;une stratégie en boucle essaie avant de ne chercher que dans tout l&apos;espace de travail.</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Lissage</translation>
+    </message>
+    <message>
+        <source>Shortcuts tried on the path found, each certified before it is taken; 0 leaves the path as planned.</source>
+        <translation>Raccourcis essayés sur le chemin trouvé, chacun certifié avant d&apos;être pris ; 0 laisse le chemin tel que planifié.</translation>
+    </message>
+    <message>
         <source>Repulsion</source>
         <translation>Répulsion</translation>
+    </message>
+    <message>
+        <source>Guidance: how strongly obstacles nearer than the contact distance push the hand away; 0 is off.</source>
+        <translation>Guidage : avec quelle force les obstacles plus proches que la distance de contact repoussent la main ; 0 pour aucune.</translation>
     </message>
     <message>
         <source>Attraction</source>
         <translation>Attraction</translation>
     </message>
     <message>
-        <source>Guidance: how strongly obstacles nearer than the contact distance push the hand away; 0 is off.</source>
-        <translation>Guidage&#xa0;: avec quelle force les obstacles plus proches que la distance de contact repoussent la main&#xa0;; 0 pour aucune.</translation>
+        <source>Guidance: how strongly the path or the next milestone draws the hand; 0 is off.</source>
+        <translation>Guidage : avec quelle force le chemin ou le prochain jalon attire la main ; 0 pour aucune.</translation>
     </message>
     <message>
-        <source>Guidance: how strongly the path or the next milestone draws the hand; 0 is off.</source>
-        <translation>Guidage&#xa0;: avec quelle force le chemin ou le prochain jalon attire la main&#xa0;; 0 pour aucune.</translation>
+        <source>OMPL&apos;s range</source>
+        <translation>Portée d&apos;OMPL</translation>
+    </message>
+    <message>
+        <source>Longest edge of the planners of unmodified OMPL, as a share of the space&apos;s extent; 0 is OMPL&apos;s default.</source>
+        <translation>Plus long segment des planificateurs d&apos;OMPL non modifié, en part de l&apos;étendue de l&apos;espace ; 0 : valeur par défaut d&apos;OMPL.</translation>
+    </message>
+    <message>
+        <source>OMPL&apos;s resolution</source>
+        <translation>Résolution d&apos;OMPL</translation>
+    </message>
+    <message>
+        <source>Distance of the configurations that the planners of unmodified OMPL check on an edge, as a share of the space&apos;s extent.</source>
+        <translation>Distance des configurations que les planificateurs d&apos;OMPL non modifié examinent sur un segment, en part de l&apos;étendue de l&apos;espace.</translation>
     </message>
     <message>
         <source>Automatic tuning</source>
@@ -7642,11 +3962,15 @@
     </message>
     <message>
         <source>What sets itself while planning, added up: 1 for α, 2 for N, 4 for d. 0 is nothing, 7 all three.</source>
-        <translation>Valeurs que le programme règle pendant la planification, en somme&#xa0;: 1 pour α, 2 pour N, 4 pour d. 0&#xa0;: aucune, 7&#xa0;: les trois.</translation>
+        <translation>Valeurs que le programme règle pendant la planification, en somme : 1 pour α, 2 pour N, 4 pour d. 0 : aucune, 7 : les trois.</translation>
     </message>
     <message>
-        <source>Clearance that a delivered path is proved to keep.</source>
-        <translation>Jeu dont il est prouvé que le chemin livré le garde.</translation>
+        <source>Planners side by side</source>
+        <translation>Planificateurs en parallèle</translation>
+    </message>
+    <message>
+        <source>Planners of strategy auto that work at the same time, on as many of the machine&apos;s cores. Another number is another search; the cores do not change it.</source>
+        <translation>Nombre de planificateurs de la stratégie auto qui travaillent en même temps, sur autant de cœurs de la machine. Un autre nombre donne une autre recherche ; le nombre de cœurs ne la change pas.</translation>
     </message>
     <message>
         <source>Pace</source>
@@ -7654,391 +3978,2820 @@
     </message>
     <message>
         <source>In the window: planner steps a second, so that a person can watch and steer. 0 is full speed; the first paper&apos;s planner made 40.</source>
-        <translation>Dans la fenêtre&#xa0;: pas du planificateur par seconde, pour regarder et guider. 0&#xa0;: pleine vitesse&#xa0;; le planificateur du premier article en faisait 40.</translation>
+        <translation>Dans la fenêtre : pas du planificateur par seconde, pour regarder et guider. 0 : pleine vitesse ; le planificateur du premier article en faisait 40.</translation>
     </message>
     <message>
-        <source>Contact gap</source>
-        <translation>Écart au contact</translation>
+        <source>a whole number</source>
+        <translation>un nombre entier</translation>
     </message>
     <message>
-        <source>Growth step</source>
-        <translation>Pas de croissance</translation>
+        <source>a number</source>
+        <translation>un nombre</translation>
     </message>
     <message>
-        <source>Extension step</source>
-        <translation>Pas d&apos;extension</translation>
+        <source>%1 is %2, which is not allowed</source>
+        <translation>%1 vaut %2, ce qui n&apos;est pas admis</translation>
     </message>
     <message>
-        <source>Steps per second</source>
-        <translation>Pas par seconde</translation>
+        <source>Give %1 from %2 to %3.</source>
+        <translation>Donnez %1 de %2 à %3.</translation>
     </message>
     <message>
-        <source>Step limit</source>
-        <translation>Limite de pas</translation>
+        <source>the folder takes no new file</source>
+        <translation>le dossier n&apos;accepte pas de nouveau fichier</translation>
     </message>
     <message>
-        <source>Sample limit</source>
-        <translation>Limite d&apos;échantillons</translation>
+        <source>writing failed</source>
+        <translation>l&apos;écriture a échoué</translation>
     </message>
     <message>
-        <source>Time limit</source>
-        <translation>Limite de temps</translation>
+        <source>flushing to the disk failed</source>
+        <translation>l&apos;écriture sur le disque a échoué</translation>
     </message>
     <message>
-        <source>Samples of strategy G</source>
-        <translation>Échantillons de la stratégie G</translation>
+        <source>closing failed</source>
+        <translation>la fermeture a échoué</translation>
     </message>
     <message>
-        <source>Samples a step</source>
-        <translation>Échantillons par étape</translation>
+        <source>what was written reads back differently</source>
+        <translation>ce qui a été écrit n&apos;est pas relu à l&apos;identique</translation>
     </message>
     <message>
-        <source>Samples a border</source>
-        <translation>Échantillons par frontière</translation>
+        <source>giving it its name failed</source>
+        <translation>il n&apos;a pas pu recevoir son nom</translation>
     </message>
     <message>
-        <source>Coarse paths</source>
-        <translation>Chemins grossiers</translation>
+        <source>Free some space, or save on another disk.</source>
+        <translation>Libérez de la place, ou enregistrez sur un autre disque.</translation>
     </message>
     <message>
-        <source>Smoothing</source>
-        <translation>Lissage</translation>
+        <source>Raise the limit of the file size, or save on another disk.</source>
+        <translation>Relevez la limite de taille des fichiers, ou enregistrez sur un autre disque.</translation>
     </message>
     <message>
-        <source>OMPL&apos;s range</source>
-        <translation>Portée d&apos;OMPL</translation>
+        <source>Save into a folder that you may write to.</source>
+        <translation>Enregistrez dans un dossier où vous avez le droit d&apos;écrire.</translation>
     </message>
     <message>
-        <source>OMPL&apos;s resolution</source>
-        <translation>Résolution d&apos;OMPL</translation>
+        <source>The file system is read-only. Save into another folder.</source>
+        <translation>Le système de fichiers est en lecture seule. Enregistrez dans un autre dossier.</translation>
     </message>
     <message>
-        <source>Planners side by side</source>
-        <translation>Planificateurs en parallèle</translation>
+        <source>Choose a shorter name.</source>
+        <translation>Choisissez un nom plus court.</translation>
     </message>
     <message>
-        <source>Gap that contact samples keep to the surface, so that they touch without penetrating.</source>
-        <translation>Écart que les échantillons de contact gardent à la surface, pour toucher sans pénétrer.</translation>
+        <source>Create the folder, or choose another one.</source>
+        <translation>Créez le dossier, ou choisissez-en un autre.</translation>
     </message>
     <message>
-        <source>Sampling step of edges while the trees grow (delivered edges are certified).</source>
-        <translation>Pas d&apos;échantillonnage des segments pendant la croissance des arbres (les segments livrés sont certifiés).</translation>
+        <source>The disk may be failing. Save on another disk.</source>
+        <translation>Le disque est peut-être défaillant. Enregistrez sur un autre disque.</translation>
     </message>
     <message>
-        <source>A blocked extension towards a random configuration ends at a multiple of this, off the obstacle.</source>
-        <translation>Une extension bloquée vers une configuration aléatoire s&apos;arrête à un multiple de ce pas, à l&apos;écart de l&apos;obstacle.</translation>
+        <source>Save into another folder.</source>
+        <translation>Enregistrez dans un autre dossier.</translation>
     </message>
     <message>
-        <source>Lockstep clock: planner steps in one second of the simulated or recorded operator.</source>
-        <translation>Horloge du mode pas à pas&#xa0;: pas du planificateur par seconde de l&apos;opérateur simulé ou enregistré.</translation>
+        <source>cannot be saved: %1</source>
+        <translation>ne peut pas être enregistré : %1</translation>
     </message>
     <message>
-        <source>Stop after this many planner steps; 0 is no limit.</source>
-        <translation>Arrêter après ce nombre de pas du planificateur&#xa0;; 0&#xa0;: sans limite.</translation>
+        <source>What was there is untouched. %1</source>
+        <translation>Le contenu précédent est intact. %1</translation>
     </message>
     <message>
-        <source>Stop after this many random configurations; 0 is no limit.</source>
-        <translation>Arrêter après ce nombre de configurations aléatoires&#xa0;; 0&#xa0;: sans limite.</translation>
+        <source>it cannot be looked at</source>
+        <translation>il ne peut pas être examiné</translation>
     </message>
     <message>
-        <source>Stop after this many seconds of planning; 0 is no limit.</source>
-        <translation>Arrêter après ce nombre de secondes de planification&#xa0;; 0&#xa0;: sans limite.</translation>
+        <source>its links cannot be followed</source>
+        <translation>ses liens ne peuvent pas être suivis</translation>
     </message>
     <message>
-        <source>Strategy G gives up after this many random configurations.</source>
-        <translation>La stratégie G abandonne après ce nombre de configurations aléatoires.</translation>
+        <source>Choose another name.</source>
+        <translation>Choisissez un autre nom.</translation>
     </message>
     <message>
-        <source>A topological step fails after this many random configurations.</source>
-        <translation>Une étape topologique échoue après ce nombre de configurations aléatoires.</translation>
+        <source>it is a folder</source>
+        <translation>c&apos;est un dossier</translation>
     </message>
     <message>
-        <source>Random configurations drawn in a border to find its milestone.</source>
-        <translation>Configurations aléatoires tirées dans une frontière pour trouver son jalon.</translation>
+        <source>it is a pipe</source>
+        <translation>c&apos;est un tube</translation>
     </message>
     <message>
-        <source>Coarse paths that a strategy with a loop tries before it searches the whole workspace only.</source>
-        <translation>Nombre de chemins grossiers qu&apos;une stratégie en boucle essaie avant de ne chercher que dans tout l&apos;espace de travail.</translation>
+        <source>it is a socket</source>
+        <translation>c&apos;est un socket</translation>
     </message>
     <message>
-        <source>Shortcuts tried on the path found, each certified before it is taken; 0 leaves the path as planned.</source>
-        <translation>Raccourcis essayés sur le chemin trouvé, chacun certifié avant d&apos;être pris&#xa0;; 0 laisse le chemin tel que planifié.</translation>
+        <source>it is a device</source>
+        <translation>c&apos;est un périphérique</translation>
     </message>
     <message>
-        <source>Longest edge of the planners of unmodified OMPL, as a share of the space&apos;s extent; 0 is OMPL&apos;s default.</source>
-        <translation>Plus long segment des planificateurs d&apos;OMPL non modifié, en part de l&apos;étendue de l&apos;espace&#xa0;; 0&#xa0;: valeur par défaut d&apos;OMPL.</translation>
+        <source>it is read-only</source>
+        <translation>il est en lecture seule</translation>
     </message>
     <message>
-        <source>Distance of the configurations that the planners of unmodified OMPL check on an edge, as a share of the space&apos;s extent.</source>
-        <translation>Distance des configurations que les planificateurs d&apos;OMPL non modifié examinent sur un segment, en part de l&apos;étendue de l&apos;espace.</translation>
+        <source>Save under another name, or make the file writable.</source>
+        <translation>Enregistrez sous un autre nom, ou rendez le fichier modifiable.</translation>
     </message>
     <message>
-        <source>Planners of strategy auto that work at the same time, on as many of the machine&apos;s cores. Another number is another search; the cores do not change it.</source>
-        <translation>Nombre de planificateurs de la stratégie auto qui travaillent en même temps, sur autant de cœurs de la machine. Un autre nombre donne une autre recherche&#xa0;; le nombre de cœurs ne la change pas.</translation>
-    </message>
-</context>
-<context>
-    <name>PathFormats</name>
-    <message>
-        <source>Table</source>
-        <translation>Tableau</translation>
+        <source>it has no name</source>
+        <translation>il n&apos;a pas de nom</translation>
     </message>
     <message>
-        <source>With provenance</source>
-        <translation>Avec provenance</translation>
+        <source>clashes up to %1 are accepted (--accept-clashes %2)</source>
+        <translation>les collisions jusqu&apos;à %1 sont acceptées (--accept-clashes %2)</translation>
     </message>
     <message>
-        <source>OMPL columns</source>
-        <translation>Colonnes OMPL</translation>
+        <source>the hook of &apos;%1&apos; in &apos;%2&apos; bends by %3</source>
+        <translation>le crochet de « %1 » dans « %2 » fléchit de %3</translation>
     </message>
     <message>
-        <source>Animation</source>
-        <translation>Animation</translation>
+        <source>&apos;%1&apos; is flexible, so that its motion needs no proof</source>
+        <translation>« %1 » est souple, si bien que son mouvement n&apos;a pas besoin de preuve</translation>
     </message>
-</context>
-<context>
-    <name>PlaceIdentifiers</name>
+    <message>
+        <source>no joints are used</source>
+        <translation>aucune liaison n&apos;est utilisée</translation>
+    </message>
+    <message>
+        <source>the joint of &apos;%1&apos; and &apos;%2&apos; is dissolved or pressed out</source>
+        <translation>la liaison de « %1 » et « %2 » est dissoute ou chassée</translation>
+    </message>
+    <message>
+        <source>%1 are one unit</source>
+        <translation>%1 forment une unité</translation>
+    </message>
+    <message>
+        <source>%1 stay as the base</source>
+        <translation>%1 restent comme base</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; may leave before &apos;%2&apos;, although the reverse is demanded</source>
+        <translation>« %1 » peut partir avant « %2 », bien que l&apos;inverse soit exigé</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; may leave as number %2, although it is demanded as number %3</source>
+        <translation>« %1 » peut partir en position %2, bien que la position %3 soit exigée</translation>
+    </message>
+    <message>
+        <source>the thread of &apos;%1&apos; in &apos;%2&apos; has a pitch of %3, which no standard thread of %4 has</source>
+        <translation>le filetage de « %1 » dans « %2 » a un pas de %3, qu&apos;aucun filetage normalisé de %4 n&apos;a</translation>
+    </message>
+    <message>
+        <source>the thread of &apos;%1&apos; in &apos;%2&apos; has a pitch of %3, although a person says %4</source>
+        <translation>le filetage de « %1 » dans « %2 » a un pas de %3, bien qu&apos;une personne dise %4</translation>
+    </message>
+    <message>
+        <source>the thread of &apos;%1&apos; in &apos;%2&apos; is left-handed</source>
+        <translation>le filetage de « %1 » dans « %2 » est à gauche</translation>
+    </message>
+    <message>
+        <source>the thread of &apos;%1&apos; in &apos;%2&apos; is right-handed, although a name says left-handed</source>
+        <translation>le filetage de « %1 » dans « %2 » est à droite, bien qu&apos;un nom dise à gauche</translation>
+    </message>
+    <message>
+        <source>they overlap by %1, which is a clash that nobody accepted</source>
+        <translation>ils se recouvrent de %1, ce qui est une collision que personne n&apos;a acceptée</translation>
+    </message>
+    <message>
+        <source>a person uses no joints</source>
+        <translation>une personne n&apos;utilise aucune liaison</translation>
+    </message>
+    <message>
+        <source>a person has dissolved their joint, or has it pressed out</source>
+        <translation>une personne a dissous leur liaison, ou la fait chasser</translation>
+    </message>
+    <message>
+        <source>a person calls the pair &apos;%1&apos;</source>
+        <translation>une personne dit que la paire est « %1 »</translation>
+    </message>
+    <message>
+        <source>a person accepts their clash</source>
+        <translation>une personne accepte leur collision</translation>
+    </message>
+    <message>
+        <source>the edge turns by half a circle, and rounding decides which way; insert a configuration between its ends</source>
+        <translation>le segment tourne d&apos;un demi-tour, et c&apos;est l&apos;arrondi qui décide du sens ; insérez une configuration entre ses extrémités</translation>
+    </message>
+    <message>
+        <source>the rounding of coordinates of this size is not small against the required clearance; move the scene to the origin, or require more clearance</source>
+        <translation>l&apos;arrondi de coordonnées de cette grandeur n&apos;est pas petit devant le jeu exigé ; rapprochez la scène de l&apos;origine, ou exigez plus de jeu</translation>
+    </message>
+    <message>
+        <source>the clearance is so close to the required one that %1 comparisons of triangles do not prove it; require less clearance, or divide the edge</source>
+        <translation>le jeu est si proche du jeu exigé que %1 comparaisons de triangles ne le prouvent pas ; exigez moins de jeu, ou divisez le segment</translation>
+    </message>
+    <message>
+        <source>the check was stopped</source>
+        <translation>la vérification a été arrêtée</translation>
+    </message>
+    <message>
+        <source>it states &quot;after&quot;: %1, and %2 steps come before it</source>
+        <translation>elle indique « after » : %1, et %2 étapes la précèdent</translation>
+    </message>
+    <message>
+        <source>it is of a flexible body, and says that it is certified</source>
+        <translation>elle est celle d&apos;un corps souple, et dit qu&apos;elle est certifiée</translation>
+    </message>
+    <message>
+        <source>it says that it is not certified, and its body is not flexible</source>
+        <translation>elle dit qu&apos;elle n&apos;est pas certifiée, et son corps n&apos;est pas souple</translation>
+    </message>
+    <message>
+        <source>it moves &apos;%1&apos;, which is not a body of the product</source>
+        <translation>elle déplace « %1 », qui n&apos;est pas un corps du produit</translation>
+    </message>
+    <message>
+        <source>it moves &apos;%1&apos;, which is said to stay</source>
+        <translation>elle déplace « %1 », dont il est dit qu&apos;il reste</translation>
+    </message>
+    <message>
+        <source>it moves &apos;%1&apos;, which has left before</source>
+        <translation>elle déplace « %1 », qui est déjà sorti</translation>
+    </message>
+    <message>
+        <source>it moves &apos;%1&apos;, which is not in the group</source>
+        <translation>elle déplace « %1 », qui n&apos;est pas dans le groupe</translation>
+    </message>
+    <message>
+        <source>it moves no body</source>
+        <translation>elle ne déplace aucun corps</translation>
+    </message>
+    <message>
+        <source>fits are off: every pair has to keep its clearance</source>
+        <translation>les ajustements sont désactivés : chaque paire doit garder son jeu</translation>
+    </message>
+    <message>
+        <source>they are apart</source>
+        <translation>ils sont à distance l&apos;un de l&apos;autre</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; and &apos;%2&apos;: the file&apos;s pitch is not the one that a person gives for the thread</source>
+        <translation>« %1 » et « %2 » : le pas du fichier n&apos;est pas celui qu&apos;une personne donne pour le filetage</translation>
+    </message>
+    <message>
+        <source>the scenario forbids places, and where they are is not known</source>
+        <translation>le scénario interdit des lieux, et on ne sait pas où ils sont</translation>
+    </message>
+    <message>
+        <source>the file states an allowance of &apos;%1&apos; against &apos;%2&apos;, which are not the object and another body</source>
+        <translation>le fichier indique un amincissement de « %1 » face à « %2 », qui ne sont pas l&apos;objet et un autre corps</translation>
+    </message>
+    <message>
+        <source>configuration %1 is outside the scenario&apos;s workspace; the path was not examined further</source>
+        <translation>la configuration %1 est hors de l&apos;espace de travail du scénario ; la suite du chemin n&apos;a pas été examinée</translation>
+    </message>
+    <message>
+        <source>1 pair overlaps without being a fit, a thread or a press</source>
+        <translation>1 paire se recouvre sans être ni un ajustement, ni un filetage, ni un emmanchement</translation>
+    </message>
+    <message>
+        <source>%1 pairs overlap without being a fit, a thread or a press</source>
+        <translation>%1 paires se recouvrent sans être ni un ajustement, ni un filetage, ni un emmanchement</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; and &apos;%2&apos; by %3</source>
+        <translation>« %1 » et « %2 » de %3</translation>
+    </message>
+    <message>
+        <source>the plan lists &apos;%1&apos; twice</source>
+        <translation>le plan énumère deux fois « %1 »</translation>
+    </message>
+    <message>
+        <source>the plan lists &apos;%1&apos;, which is not a body of the product</source>
+        <translation>le plan énumère « %1 », qui n&apos;est pas un corps du produit</translation>
+    </message>
+    <message>
+        <source>the product has &apos;%1&apos;, which the plan does not list</source>
+        <translation>le produit contient « %1 », que le plan n&apos;énumère pas</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is said to stay and is none of the plan&apos;s bodies</source>
+        <translation>il est dit que « %1 » reste, mais ce n&apos;est pas un corps du plan</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is said to stay twice</source>
+        <translation>il est dit deux fois que « %1 » reste</translation>
+    </message>
+    <message>
+        <source>the plan states &quot;%1&quot;: %2, and there are %3</source>
+        <translation>le plan indique « %1 » : %2, et il y en a %3</translation>
+    </message>
+    <message>
+        <source>a demand is about &apos;%1&apos;, which no body or assembly is called: it is not judged</source>
+        <translation>une exigence porte sur « %1 », qui n&apos;est le nom d&apos;aucun corps ni assemblage : elle n&apos;est pas jugée</translation>
+    </message>
+    <message>
+        <source>the plan states that it is not certified</source>
+        <translation>le plan indique qu&apos;il n&apos;est pas certifié</translation>
+    </message>
+    <message>
+        <source>the plan states that it is certified, and a step says that it is not</source>
+        <translation>le plan indique qu&apos;il est certifié, et une étape dit qu&apos;elle ne l&apos;est pas</translation>
+    </message>
+    <message>
+        <source>the plan is called complete, and all of its bodies stay: nothing is taken apart</source>
+        <translation>le plan est dit complet, et tous ses corps restent : rien n&apos;est démonté</translation>
+    </message>
+    <message>
+        <source>the plan is called complete, and %1 of %2 parts have no step</source>
+        <translation>le plan est dit complet, et %1 pièces sur %2 n&apos;ont pas d&apos;étape</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; moves in a direction that is forbidden to it before it is clear of what it touched</source>
+        <translation>« %1 » se déplace dans une direction qui lui est interdite avant d&apos;être dégagé de ce qu&apos;il touchait</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is demanded to leave before, and the step does not say that it does not</source>
+        <translation>« %1 » doit sortir avant, et l&apos;étape ne signale pas le contraire</translation>
+    </message>
+    <message>
+        <source>it is demanded to leave together with others, which stay behind</source>
+        <translation>il est exigé qu&apos;elle se fasse avec d&apos;autres corps, qui restent en arrière</translation>
+    </message>
+    <message>
+        <source>it is demanded as number %1, and is number %2 of the removal</source>
+        <translation>elle est exigée en position %1, et elle est en position %2 du démontage</translation>
+    </message>
+    <message>
+        <source>another motion is demanded of it</source>
+        <translation>un autre mouvement lui est exigé</translation>
+    </message>
+    <message>
+        <source>%1, … (%2)</source>
+        <translation>%1, … (%2)</translation>
+    </message>
+    <message>
+        <source>it states &quot;step&quot;: %1, and there are %2</source>
+        <translation>elle indique « step » : %1, et il y en a %2</translation>
+    </message>
+    <message>
+        <source>its bodies are not those of its step</source>
+        <translation>ses corps ne sont pas ceux de son étape</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is said to stay and is not in the group</source>
+        <translation>il est dit que « %1 » reste, mais ce corps n&apos;est pas dans le groupe</translation>
+    </message>
+    <message>
+        <source>its step has another line</source>
+        <translation>son étape a une autre ligne</translation>
+    </message>
+    <message>
+        <source>%1 of a thread of %2</source>
+        <translation>%1 d&apos;un filetage de %2</translation>
+    </message>
+    <message>
+        <source>is longer than %1 bytes</source>
+        <translation>dépasse %1 octets</translation>
+    </message>
+    <message>
+        <source>is one configuration too many</source>
+        <translation>est une configuration de trop</translation>
+    </message>
+    <message>
+        <source>holds no configuration</source>
+        <translation>ne contient aucune configuration</translation>
+    </message>
+    <message>
+        <source>Give a path.</source>
+        <translation>Donnez un chemin.</translation>
+    </message>
+    <message>
+        <source>Each line holds x y z qx qy qz qw; a CSV begins with its header.</source>
+        <translation>Chaque ligne contient x y z qx qy qz qw ; un CSV commence par son en-tête.</translation>
+    </message>
+    <message>
+        <source>Each line holds %1.</source>
+        <translation>Chaque ligne contient %1.</translation>
+    </message>
+    <message>
+        <source>does not have %1 columns</source>
+        <translation>n&apos;a pas %1 colonnes</translation>
+    </message>
+    <message>
+        <source>holds &apos;%1&apos;, which is not a finite number</source>
+        <translation>contient « %1 », qui n&apos;est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>holds &apos;%1&apos;, which is beyond 1e9 m</source>
+        <translation>contient « %1 », qui dépasse 1e9 m</translation>
+    </message>
+    <message>
+        <source>has an orientation that is not a unit quaternion</source>
+        <translation>a une orientation qui n&apos;est pas un quaternion unitaire</translation>
+    </message>
+    <message>
+        <source>names an unknown author &apos;%1&apos;</source>
+        <translation>nomme un auteur inconnu, « %1 »</translation>
+    </message>
+    <message>
+        <source>is not &quot;glissade-path&quot;</source>
+        <translation>n&apos;est pas « glissade-path »</translation>
+    </message>
+    <message>
+        <source>is not 1</source>
+        <translation>n&apos;est pas 1</translation>
+    </message>
+    <message>
+        <source>Use a newer Glissade.</source>
+        <translation>Utilisez une version plus récente de Glissade.</translation>
+    </message>
+    <message>
+        <source>Plan again. To check an edited path, remove its checksum.</source>
+        <translation>Planifiez de nouveau. Pour vérifier un chemin modifié, supprimez sa somme de contrôle.</translation>
+    </message>
+    <message>
+        <source>is in a format that can only be written</source>
+        <translation>est dans un format qui ne peut qu&apos;être écrit</translation>
+    </message>
+    <message>
+        <source>Give the path as CSV, JSON or OMPL&apos;s columns.</source>
+        <translation>Donnez le chemin en CSV, en JSON ou dans les colonnes d&apos;OMPL.</translation>
+    </message>
+    <message>
+        <source>is not &quot;glissade-plan&quot;</source>
+        <translation>n&apos;est pas « glissade-plan »</translation>
+    </message>
+    <message>
+        <source>is not complete, stuck, time_limit or interrupted</source>
+        <translation>n&apos;est pas complete, stuck, time_limit ou interrupted</translation>
+    </message>
+    <message>
+        <source>is neither 0 nor a size from 1e-12 to 1e9 m</source>
+        <translation>n&apos;est ni 0 ni une taille de 1e-12 à 1e9 m</translation>
+    </message>
+    <message>
+        <source>Plan again. To use an edited plan, remove its checksum.</source>
+        <translation>Planifiez de nouveau. Pour utiliser un plan modifié, supprimez sa somme de contrôle.</translation>
+    </message>
+    <message>
+        <source>Start again.</source>
+        <translation>Relancez le calcul.</translation>
+    </message>
+    <message>
+        <source>body &apos;%1&apos;</source>
+        <translation>corps « %1 »</translation>
+    </message>
+    <message>
+        <source>is not a closed surface</source>
+        <translation>n&apos;est pas une surface fermée</translation>
+    </message>
+    <message>
+        <source>Being inside it is not seen as a collision; close its surface, or let planar holes be closed (--close-holes).</source>
+        <translation>Une position à l&apos;intérieur n&apos;est pas reconnue comme une collision ; fermez sa surface, ou faites fermer les trous plans (--close-holes).</translation>
+    </message>
+    <message>
+        <source>names the body &apos;%1&apos;, which is not there</source>
+        <translation>nomme le corps « %1 », qui n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>is a part file, and a scenario is needed</source>
+        <translation>est un fichier de pièce, et il faut un scénario</translation>
+    </message>
+    <message>
+        <source>Make a scenario of it: glissade-cli new OUT.json --moves FILE:PART --static FILE.</source>
+        <translation>Faites-en un scénario : glissade-cli new OUT.json --moves FICHIER:PIÈCE --static FICHIER.</translation>
+    </message>
+    <message>
+        <source>Check the scenario, then save it again or remove the checksum.</source>
+        <translation>Vérifiez le scénario, puis enregistrez-le de nouveau ou supprimez la somme de contrôle.</translation>
+    </message>
+    <message>
+        <source>is judged with the usual deflection of its parts</source>
+        <translation>est jugé avec la flèche habituelle de ses pièces</translation>
+    </message>
+    <message>
+        <source>The plan states a coarser one.</source>
+        <translation>Le plan en indique une plus grossière.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;</source>
+        <translation>« %1 »</translation>
+    </message>
+    <message>
+        <source>is left out</source>
+        <translation>est écarté</translation>
+    </message>
+    <message>
+        <source>Proofs are about the product without it.</source>
+        <translation>Les preuves portent sur le produit sans lui.</translation>
+    </message>
+    <message>
+        <source>holds one body: there is nothing to take apart</source>
+        <translation>contient un seul corps : il n&apos;y a rien à démonter</translation>
+    </message>
+    <message>
+        <source>Give a product of several parts.</source>
+        <translation>Donnez un produit de plusieurs pièces.</translation>
+    </message>
+    <message>
+        <source>is neither &quot;y&quot; nor &quot;z&quot;</source>
+        <translation>n&apos;est ni « y » ni « z »</translation>
+    </message>
+    <message>
+        <source>does not name exactly one shape</source>
+        <translation>ne nomme pas exactement une forme</translation>
+    </message>
+    <message>
+        <source>names the asset &apos;%1&apos;, which is not in /assets</source>
+        <translation>nomme l&apos;asset « %1 », qui n&apos;est pas dans /assets</translation>
+    </message>
+    <message>
+        <source>has a size that is not above zero, or below 1e-12 m</source>
+        <translation>a une taille nulle, négative ou inférieure à 1e-12 m</translation>
+    </message>
+    <message>
+        <source>is the same body as &apos;a&apos;</source>
+        <translation>est le même corps que « a »</translation>
+    </message>
+    <message>
+        <source>is not a kind of fit</source>
+        <translation>n&apos;est pas un type d&apos;ajustement</translation>
+    </message>
+    <message>
+        <source>Give metres, 0 or more.</source>
+        <translation>Donnez des mètres, 0 ou plus.</translation>
+    </message>
+    <message>
+        <source>is not a pitch</source>
+        <translation>n&apos;est pas un pas de filetage</translation>
+    </message>
+    <message>
+        <source>Give metres a turn, from 0.00001 to 1; below zero for a left-handed thread.</source>
+        <translation>Donnez des mètres par tour, de 0.00001 à 1 ; négatif pour un filetage à gauche.</translation>
+    </message>
+    <message>
+        <source>is neither of the two bodies</source>
+        <translation>n&apos;est aucun des deux corps</translation>
+    </message>
+    <message>
+        <source>is neither &quot;on&quot; nor &quot;off&quot;</source>
+        <translation>n&apos;est ni « on » ni « off »</translation>
+    </message>
+    <message>
+        <source>is about a pair that was there before</source>
+        <translation>concerne une paire déjà donnée</translation>
+    </message>
+    <message>
+        <source>Remove one.</source>
+        <translation>Supprimez-en un.</translation>
+    </message>
+    <message>
+        <source>is not six numbers</source>
+        <translation>n&apos;est pas formé de six nombres</translation>
+    </message>
+    <message>
+        <source>has a minimum above its maximum</source>
+        <translation>a un minimum supérieur à son maximum</translation>
+    </message>
+    <message>
+        <source>is not &quot;glissade-scenario&quot;</source>
+        <translation>n&apos;est pas « glissade-scenario »</translation>
+    </message>
+    <message>
+        <source>holds a &apos;/&apos;</source>
+        <translation>contient un « / »</translation>
+    </message>
+    <message>
+        <source>has the id &apos;%1&apos; a second time</source>
+        <translation>a une seconde fois l&apos;identifiant « %1 »</translation>
+    </message>
+    <message>
+        <source>is neither a configuration nor &quot;out&quot;</source>
+        <translation>n&apos;est ni une configuration ni « out »</translation>
+    </message>
+    <message>
+        <source>is not a parameter</source>
+        <translation>n&apos;est pas un paramètre</translation>
+    </message>
+    <message>
+        <source>has no direction</source>
+        <translation>n&apos;a pas de direction</translation>
+    </message>
+    <message>
+        <source>is not computer, operator or contact</source>
+        <translation>n&apos;est pas computer, operator ou contact</translation>
+    </message>
+    <message>
+        <source>is not two names</source>
+        <translation>n&apos;est pas fait de deux noms</translation>
+    </message>
+    <message>
+        <source>it states &quot;%1&quot;: %2, and the judge finds %3</source>
+        <translation>elle indique « %1 » : %2, et le juge trouve : %3</translation>
+    </message>
+    <message>
+        <source>it states &quot;%1&quot;: %2 of %3, and the judge finds %4</source>
+        <translation>elle indique « %1 » : %2 pour %3, et le juge trouve : %4</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>au plus %1</translation>
+    </message>
+    <message>
+        <source>%1 steps before it</source>
+        <translation>%1 étapes avant elle</translation>
+    </message>
+    <message>
+        <source>no such body</source>
+        <translation>aucun corps de ce nom</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>au moins %1</translation>
+    </message>
+    <message>
+        <source>at least the proved %1</source>
+        <translation>au moins la valeur prouvée, %1</translation>
+    </message>
+    <message>
+        <source>the joint of &apos;%1&apos;</source>
+        <translation>la liaison de « %1 »</translation>
+    </message>
+    <message>
+        <source>a cylinder of %1</source>
+        <translation>un cylindre de %1</translation>
+    </message>
+    <message>
+        <source>bodies of %1</source>
+        <translation>des corps de %1</translation>
+    </message>
+    <message>
+        <source>no word about a bend</source>
+        <translation>aucune parole sur une flexion</translation>
+    </message>
+    <message>
+        <source>a body of %1</source>
+        <translation>un corps de %1</translation>
+    </message>
+    <message>
+        <source>no two parallel faces so far apart</source>
+        <translation>pas deux faces parallèles à cette distance</translation>
+    </message>
+    <message>
+        <source>the allowance for &apos;%1&apos; and &apos;%2&apos;</source>
+        <translation>l&apos;amincissement pour « %1 » et « %2 »</translation>
+    </message>
+    <message>
+        <source>it states an allowance of &apos;%1&apos; against &apos;%2&apos;, which are not a body of the step and one of the product</source>
+        <translation>elle indique un amincissement de « %1 » face à « %2 », qui ne sont pas un corps de l&apos;étape et un corps du produit</translation>
+    </message>
+    <message>
+        <source>it says that it does not keep the rule &quot;%1&quot; about %2</source>
+        <translation>elle dit ne pas respecter la règle « %1 » pour %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; and &apos;%2&apos;: the thread is modelled with a pitch of %3, and the motion has %4</source>
+        <translation>« %1 » et « %2 » : le filetage est modélisé avec un pas de %3, et le mouvement a un pas de %4</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is pulled off &apos;%2&apos; without a turn: %3</source>
+        <translation>« %1 » est tiré hors de « %2 » sans rotation : %3</translation>
+    </message>
+    <message>
+        <source>their meshes state no cylinders</source>
+        <translation>leurs maillages n&apos;indiquent aucun cylindre</translation>
+    </message>
+    <message>
+        <source>the plan says that %1</source>
+        <translation>selon le plan, %1</translation>
+    </message>
+    <message>
+        <source>they leave together</source>
+        <translation>ils sortent ensemble</translation>
+    </message>
+    <message>
+        <source>the other one has left before</source>
+        <translation>l&apos;autre est déjà sorti</translation>
+    </message>
+    <message>
+        <source>a thread is taken away of one body of a pair, and nothing else</source>
+        <translation>un filetage est retiré d&apos;un seul corps de la paire, et rien d&apos;autre</translation>
+    </message>
+    <message>
+        <source>a person says that the pair is no thread</source>
+        <translation>une personne dit que la paire n&apos;est pas un filetage</translation>
+    </message>
+    <message>
+        <source>the hole is not as narrow as the file states</source>
+        <translation>le trou n&apos;est pas aussi étroit que le fichier l&apos;indique</translation>
+    </message>
+    <message>
+        <source>its thread is not so deep</source>
+        <translation>son filetage n&apos;est pas si profond</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is the one that is cut</source>
+        <translation>c&apos;est « %1 » qui est découpé</translation>
+    </message>
+    <message>
+        <source>which of the two is cut is not clear, and no person names it</source>
+        <translation>on ne sait pas lequel des deux est découpé, et personne ne le nomme</translation>
+    </message>
+    <message>
+        <source>what would be left of it is not one piece as before</source>
+        <translation>ce qui en resterait n&apos;est pas d&apos;un seul tenant comme avant</translation>
+    </message>
+    <message>
+        <source>what overlaps is taken away of one body of a pair, and the other one is taken thinner</source>
+        <translation>ce qui se recouvre est retiré d&apos;un corps de la paire, et l&apos;autre est aminci</translation>
+    </message>
+    <message>
+        <source>a person says that the pair is a thread</source>
+        <translation>une personne dit que la paire est un filetage</translation>
+    </message>
+    <message>
+        <source>no overlap with the other one can be taken away of it</source>
+        <translation>aucun recouvrement avec l&apos;autre ne peut en être retiré</translation>
+    </message>
+    <message>
+        <source>the axis that the file states for the thread is not one that the meshes of both bodies show</source>
+        <translation>l&apos;axe que le fichier indique pour le filetage n&apos;est pas de ceux que montrent les maillages des deux corps</translation>
+    </message>
+    <message>
+        <source>Plan again.</source>
+        <translation>Planifiez de nouveau.</translation>
+    </message>
+    <message>
+        <source>a person calls the pair a thread, but no shaft of the one is on the axis of a hole of the other</source>
+        <translation>une personne dit que la paire est un filetage, mais aucun fût de l&apos;un n&apos;est sur l&apos;axe d&apos;un trou de l&apos;autre</translation>
+    </message>
+    <message>
+        <source>Give the pair another kind.</source>
+        <translation>Donnez un autre type à la paire.</translation>
+    </message>
+    <message>
+        <source>a pitch of %1 mm is none of a thread of %2 mm: it has to be from 0.01 mm to two diameters</source>
+        <translation>un pas de %1 mm n&apos;est pas celui d&apos;un filetage de %2 mm : il doit être compris entre 0,01 mm et deux diamètres</translation>
+    </message>
+    <message>
+        <source>the hole is not around the axis that the file states for the thread</source>
+        <translation>le trou n&apos;est pas autour de l&apos;axe que le fichier indique pour le filetage</translation>
+    </message>
+    <message>
+        <source>the shaft has no groove that is as narrow as the hole</source>
+        <translation>le fût n&apos;a pas de gorge aussi étroite que le trou</translation>
+    </message>
+    <message>
+        <source>the crests are not around the axis that the file states</source>
+        <translation>les sommets de filet ne sont pas autour de l&apos;axe que le fichier indique</translation>
+    </message>
+    <message>
+        <source>the shaft has no helix of the pitch that the file states</source>
+        <translation>le fût n&apos;a pas d&apos;hélice au pas que le fichier indique</translation>
+    </message>
+    <message>
+        <source>what of the shaft is wider than the hole is no thread of this pitch</source>
+        <translation>ce qui, du fût, est plus large que le trou n&apos;est pas un filetage de ce pas</translation>
+    </message>
+    <message>
+        <source>certified: %1 (required %2 mm)</source>
+        <translation>certifié : %1 (exigé : %2 mm)</translation>
+    </message>
+    <message>
+        <source>certified: %1 (required %2 mm, %3 of %4 edges slide)</source>
+        <translation>certifié : %1 (exigé : %2 mm, %3 segments sur %4 glissent)</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; and &apos;%2&apos; are a thread, which comes apart by turning only</source>
+        <translation>« %1 » et « %2 » forment un filetage, qui ne se sépare que par dévissage</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; is turned, and has to leave first</source>
+        <translation>%1 : c&apos;est « %2 » que l&apos;on tourne et qui doit sortir d&apos;abord</translation>
+    </message>
+    <message>
+        <source>%1: each turn about its axis advances by %2</source>
+        <translation>%1 : chaque tour autour de son axe fait avancer de %2</translation>
+    </message>
+    <message>
+        <source>clearance %1 to %2 mm to &apos;%3&apos;</source>
+        <translation>jeu de %1 à %2 mm par rapport à « %3 »</translation>
+    </message>
+    <message>
+        <source>  edge %1: certified, %2</source>
+        <translation>  segment %1 : certifié, %2</translation>
+    </message>
+    <message>
+        <source>  edge %1: violated, %2</source>
+        <translation>  segment %1 : réfuté, %2</translation>
+    </message>
+    <message>
+        <source>  edge %1: undecided, %2</source>
+        <translation>  segment %1 : indécis, %2</translation>
+    </message>
+    <message>
+        <source>%1, slides</source>
+        <translation>%1, en glissement</translation>
+    </message>
+    <message>
+        <source>valid: %1</source>
+        <translation>valide : %1</translation>
+    </message>
+    <message>
+        <source>valid without shapes that the files state: %1</source>
+        <translation>valide sans certaines formes que les fichiers énoncent : %1</translation>
+    </message>
+    <message>
+        <source>invalid: %1</source>
+        <translation>non valide : %1</translation>
+    </message>
+    <message>
+        <source>undecided: %1</source>
+        <translation>indécis : %1</translation>
+    </message>
+    <message>
+        <source>%1 configurations, %2</source>
+        <translation>%1 configurations, %2</translation>
+    </message>
+    <message>
+        <source>edge %1 meets the place &apos;%2&apos;, which a person forbids, or its margin of %3</source>
+        <translation>le segment %1 rencontre le lieu « %2 », qu&apos;une personne interdit, ou sa marge de %3</translation>
+    </message>
+    <message>
+        <source>forbidden places: the path keeps %1 from %2</source>
+        <translation>lieux interdits : le chemin reste à %1 au moins de %2</translation>
+    </message>
+    <message>
+        <source>refused: %1</source>
+        <translation>refusé : %1</translation>
+    </message>
+    <message>
+        <source>the path does not begin at the scenario&apos;s start</source>
+        <translation>le chemin ne commence pas au départ du scénario</translation>
+    </message>
+    <message>
+        <source>the path does not end at the scenario&apos;s goal</source>
+        <translation>le chemin ne finit pas au but du scénario</translation>
+    </message>
+    <message>
+        <source>its motion is violated on edge %1, because it is no turn in the thread it has with &apos;%2&apos;</source>
+        <translation>son mouvement est réfuté sur le segment %1, car il ne tourne pas dans le filetage commun avec « %2 »</translation>
+    </message>
+    <message>
+        <source>its motion is violated on edge %1</source>
+        <translation>son mouvement est réfuté sur le segment %1</translation>
+    </message>
+    <message>
+        <source>its motion is violated on edge %1 by &apos;%2&apos;</source>
+        <translation>son mouvement est réfuté sur le segment %1 par « %2 »</translation>
+    </message>
+    <message>
+        <source>its motion is undecided on edge %1</source>
+        <translation>son mouvement est indécis sur le segment %1</translation>
+    </message>
+    <message>
+        <source>its motion is undecided on edge %1 by &apos;%2&apos;</source>
+        <translation>son mouvement est indécis sur le segment %1 à cause de « %2 »</translation>
+    </message>
+    <message>
+        <source>it does not end outside of the others&apos; bounding box</source>
+        <translation>elle ne finit pas hors de la boîte englobante des autres corps</translation>
+    </message>
+    <message>
+        <source>step %1: allowance: %2</source>
+        <translation>étape %1 : amincissement : %2</translation>
+    </message>
+    <message>
+        <source>step %1: note: %2</source>
+        <translation>étape %1 : remarque : %2</translation>
+    </message>
+    <message>
+        <source>step %1 (%2): as the plan says: %3</source>
+        <translation>étape %1 (%2) : comme le plan le dit : %3</translation>
+    </message>
+    <message>
+        <source>step %1 (%2): only if %3</source>
+        <translation>étape %1 (%2) : seulement si %3</translation>
+    </message>
+    <message>
+        <source>step %1 (%2): nothing is proved of its motion, it is flexible</source>
+        <translation>étape %1 (%2) : rien n&apos;est prouvé de son mouvement, le corps est souple</translation>
+    </message>
+    <message>
+        <source>step %1 (%2) is invalid: %3;</source>
+        <translation>l&apos;étape %1 (%2) est non valide : %3 ;</translation>
+    </message>
+    <message>
+        <source>step %1 (%2) is undecided: %3;</source>
+        <translation>l&apos;étape %1 (%2) est indécise : %3 ;</translation>
+    </message>
+    <message>
+        <source>%1 of %2 parts have no step, %3 leave alone, %4 as units, %5 in groups that are not taken apart</source>
+        <translation>%1 pièces sur %2 n&apos;ont pas d&apos;étape, %3 sortent seules, %4 en unités, %5 dans des groupes qui ne sont pas démontés</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps are certified, %3</source>
+        <translation>%1 étapes sur %2 sont certifiées, %3</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps are as stated, %3</source>
+        <translation>%1 étapes sur %2 sont conformes à ce qui est indiqué, %3</translation>
+    </message>
+    <message>
+        <source>incomplete: %1</source>
+        <translation>incomplet : %1</translation>
+    </message>
+    <message>
+        <source>valid only if %1: %2</source>
+        <translation>valide seulement si %1 : %2</translation>
+    </message>
+    <message>
+        <source>valid only under %1 conditions that the plan states itself: %2</source>
+        <translation>valide seulement sous %1 conditions que le plan pose lui-même : %2</translation>
+    </message>
+    <message>
+        <source>condition: %1</source>
+        <translation>condition : %1</translation>
+    </message>
+    <message>
+        <source>Nobody but the plan says so. State the conditions in the scenario, or trust the plan (--trust-plan).</source>
+        <translation>Le plan est seul à le dire. Indiquez les conditions dans le scénario, ou faites confiance au plan (--trust-plan).</translation>
+    </message>
+    <message>
+        <source>refused: the line of step %1: %2</source>
+        <translation>refusé : la ligne de l&apos;étape %1 : %2</translation>
+    </message>
+    <message>
+        <source>%1 steps of flexible bodies have no proof</source>
+        <translation>%1 étapes de corps souples n&apos;ont pas de preuve</translation>
+    </message>
+    <message>
+        <source>screws in bodies without a hole in the file, each of which makes its own: %1</source>
+        <translation>vis dans des corps sans trou dans le fichier, qui font chacune le leur : %1</translation>
+    </message>
+    <message>
+        <source>the certificates are about triangles, which are within +/- %1 of the CAD surfaces</source>
+        <translation>les certificats portent sur des triangles, à ± %1 des surfaces CAO</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; and &apos;%2&apos;</source>
+        <translation>« %1 » et « %2 »</translation>
+    </message>
+    <message>
+        <source>a person allows %1</source>
+        <translation>une personne admet %1</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>rien</translation>
+    </message>
+    <message>
+        <source>overlap %1, deflection %2, spacing %3, gap %4, as a person says of the pair %5</source>
+        <translation>recouvrement %1, flèche %2, espacement %3, jeu %4, et %5 d&apos;après une personne pour cette paire</translation>
+    </message>
+    <message>
+        <source>overlap %1, deflection %2, spacing %3, gap %4</source>
+        <translation>recouvrement %1, flèche %2, espacement %3, jeu %4</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is taken without what its screw &apos;%2&apos; fills: the file has no hole there</source>
+        <translation>« %1 » est pris sans ce que sa vis « %2 » remplit : le fichier n&apos;a pas de trou à cet endroit</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is taken without what overlaps &apos;%2&apos;, up to %3 deep: a clash that a person accepts</source>
+        <translation>« %1 » est pris sans ce qui pénètre dans « %2 », jusqu&apos;à %3 de profondeur : c&apos;est une collision qu&apos;une personne accepte</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is taken %2 thinner against &apos;%3&apos; (%4)</source>
+        <translation>« %1 » est aminci de %2 face à « %3 » (%4)</translation>
+    </message>
+    <message>
+        <source>%1, at the hook that a person lets bend by %2</source>
+        <translation>%1, au crochet qu&apos;une personne laisse fléchir de %2</translation>
+    </message>
+    <message>
+        <source>%1, where its thread is taken away</source>
+        <translation>%1, là où son filetage est retiré</translation>
+    </message>
+    <message>
+        <source>%1, a thread with a pitch of %2</source>
+        <translation>%1, un filetage au pas de %2</translation>
+    </message>
+    <message>
+        <source>the file takes &apos;%1&apos; without what overlaps &apos;%2&apos;, up to %3 deep</source>
+        <translation>le fichier prend « %1 » sans ce qui pénètre dans « %2 », jusqu&apos;à %3 de profondeur</translation>
+    </message>
+    <message>
+        <source>the file takes &apos;%1&apos; %2 thinner against &apos;%3&apos;</source>
+        <translation>le fichier amincit « %1 » de %2 face à « %3 »</translation>
+    </message>
+    <message>
+        <source>%1: %2. Mend the parts, or accept the clash.</source>
+        <translation>%1 : %2. Corrigez les pièces, ou acceptez la collision.</translation>
+    </message>
+    <message>
+        <source>%1, and the judge finds reason for nothing</source>
+        <translation>%1, et le juge n&apos;en justifie rien</translation>
+    </message>
+    <message>
+        <source>%1, and the judge finds reason for %2 only (%3)</source>
+        <translation>%1, et le juge n&apos;en justifie que %2 (%3)</translation>
+    </message>
+    <message>
+        <source>%1. Plan again, or let a person allow it for this pair.</source>
+        <translation>%1. Planifiez de nouveau, ou faites-le admettre par une personne pour cette paire.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is neither true nor false</source>
+        <translation>« %1 » n&apos;est ni vrai ni faux</translation>
+    </message>
+    <message>
+        <source>Give true or false.</source>
+        <translation>Donnez true ou false.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number</source>
+        <translation>« %1 » n&apos;est pas un nombre</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a whole number</source>
+        <translation>« %1 » n&apos;est pas un nombre entier</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is %2, which is out of range</source>
+        <translation>« %1 » vaut %2, ce qui est hors limites</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a text</source>
+        <translation>« %1 » n&apos;est pas un texte</translation>
+    </message>
+    <message>
+        <source>Give a text.</source>
+        <translation>Donnez un texte.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not one of its choices</source>
+        <translation>« %1 » n&apos;est pas l&apos;un de ses choix</translation>
+    </message>
+    <message>
+        <source>Give one of %1.</source>
+        <translation>Donnez l&apos;une de ces valeurs : %1.</translation>
+    </message>
+    <message>
+        <source>Mobility</source>
+        <translation>Mobilité</translation>
+    </message>
+    <message>
+        <source>Static bodies shape the places; mobile ones clutter them.</source>
+        <translation>Les corps statiques délimitent les lieux ; les corps mobiles les encombrent.</translation>
+    </message>
+    <message>
+        <source>Needs tool</source>
+        <translation>Outil nécessaire</translation>
+    </message>
+    <message>
+        <source>Which tool turns the body: by_shape, none, or one of the tools.</source>
+        <translation>Outil qui fait tourner le corps : by_shape, none, ou l&apos;un des outils.</translation>
+    </message>
+    <message>
+        <source>Complexity</source>
+        <translation>Complexité</translation>
+    </message>
+    <message>
+        <source>How hard the place is to cross: 1 for the widest, one more each time the width halves.</source>
+        <translation>Difficulté de traversée du lieu : 1 pour les plus larges, un de plus à chaque division de la largeur par deux.</translation>
+    </message>
+    <message>
+        <source>Cluttered</source>
+        <translation>Encombré</translation>
+    </message>
+    <message>
+        <source>Mobile bodies are in the place.</source>
+        <translation>Des corps mobiles sont dans le lieu.</translation>
+    </message>
+    <message>
+        <source>Narrowness</source>
+        <translation>Étroitesse</translation>
+    </message>
+    <message>
+        <source>Diameter of the largest ball that fits at the widest spot.</source>
+        <translation>Diamètre de la plus grande boule qui tient à l&apos;endroit le plus large du lieu.</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Forme</translation>
+    </message>
+    <message>
+        <source>Shape of the place&apos;s section, as the objects&apos; shapes are called.</source>
+        <translation>Forme de la section du lieu, avec les mêmes noms que les formes des objets.</translation>
+    </message>
+    <message>
+        <source>Compatibility</source>
+        <translation>Compatibilité</translation>
+    </message>
+    <message>
+        <source>Whether the object goes through: 0 not at all, from 0.5 on it fits, 1 with ease.</source>
+        <translation>Aptitude de l&apos;objet à passer : 0, il ne passe pas ; à partir de 0,5, il passe ; 1, il passe aisément.</translation>
+    </message>
+    <message>
+        <source>Forbidden</source>
+        <translation>Interdit</translation>
+    </message>
+    <message>
+        <source>No path may lead through the place.</source>
+        <translation>Aucun chemin ne peut passer par le lieu.</translation>
+    </message>
+    <message>
+        <source>Preference</source>
+        <translation>Préférence</translation>
+    </message>
+    <message>
+        <source>Ways through the place count this many times shorter.</source>
+        <translation>Les trajets par le lieu comptent pour autant de fois plus courts.</translation>
+    </message>
+    <message>
+        <source>What the body is shaped like.</source>
+        <translation>Forme du corps.</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Classe</translation>
+    </message>
+    <message>
+        <source>Class of the body, whose attributes it has: screw, seal, base_part.</source>
+        <translation>Classe du corps, dont il reprend les attributs : screw, seal, base_part.</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Mass of the body. 0: by its volume and density.</source>
+        <translation>Masse du corps. 0 : d&apos;après son volume et sa masse volumique.</translation>
+    </message>
+    <message>
+        <source>Fragile</source>
+        <translation>Fragile</translation>
+    </message>
+    <message>
+        <source>The body leaves as early as it can, and is put in as late as it can.</source>
+        <translation>Le corps sort aussi tôt que possible, et il est monté aussi tard que possible.</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>The assembly begins with the body: it does not leave.</source>
+        <translation>L&apos;assemblage commence par ce corps : il ne sort pas.</translation>
+    </message>
+    <message>
+        <source>Stays</source>
+        <translation>Reste en place</translation>
+    </message>
+    <message>
+        <source>The body does not leave.</source>
+        <translation>Le corps ne sort pas.</translation>
+    </message>
+    <message>
+        <source>Goes with</source>
+        <translation>Sort avec</translation>
+    </message>
+    <message>
+        <source>Bodies that leave together with this one, with commas.</source>
+        <translation>Corps qui sortent avec celui-ci, séparés par des virgules.</translation>
+    </message>
+    <message>
+        <source>Goes before</source>
+        <translation>Sort avant</translation>
+    </message>
+    <message>
+        <source>Bodies that leave after this one, with commas.</source>
+        <translation>Corps qui sortent après celui-ci, séparés par des virgules.</translation>
+    </message>
+    <message>
+        <source>the attribute name &apos;%1&apos; is not a word</source>
+        <translation>le nom d&apos;attribut « %1 » n&apos;est pas un mot</translation>
+    </message>
+    <message>
+        <source>Use lower-case letters, digits and &apos;_&apos;, a letter first.</source>
+        <translation>Utilisez des minuscules, des chiffres et « _ », en commençant par une lettre.</translation>
+    </message>
+    <message>
+        <source>there is an attribute &apos;%1&apos; already</source>
+        <translation>il y a déjà un attribut « %1 »</translation>
+    </message>
+    <message>
+        <source>the attribute &apos;%1&apos; has no choices</source>
+        <translation>l&apos;attribut « %1 » n&apos;a pas de choix</translation>
+    </message>
+    <message>
+        <source>Give at least one.</source>
+        <translation>Donnez-en au moins un.</translation>
+    </message>
+    <message>
+        <source>the attribute &apos;%1&apos; has a choice without a name</source>
+        <translation>l&apos;attribut « %1 » a un choix sans nom</translation>
+    </message>
+    <message>
+        <source>Remove it.</source>
+        <translation>Supprimez-le.</translation>
+    </message>
+    <message>
+        <source>the attribute &apos;%1&apos; has the choice &apos;%2&apos; twice</source>
+        <translation>l&apos;attribut « %1 » a deux fois le choix « %2 »</translation>
+    </message>
+    <message>
+        <source>the attribute &apos;%1&apos; has a minimum above its maximum</source>
+        <translation>l&apos;attribut « %1 » a un minimum supérieur à son maximum</translation>
+    </message>
+    <message>
+        <source>Swap them.</source>
+        <translation>Échangez-les.</translation>
+    </message>
+    <message>
+        <source>the parents of the class &apos;%1&apos; form a cycle</source>
+        <translation>les classes mères de la classe « %1 » forment un cycle</translation>
+    </message>
+    <message>
+        <source>Correct &apos;of&apos;.</source>
+        <translation>Corrigez « of ».</translation>
+    </message>
+    <message>
+        <source>the class &apos;%1&apos; is of &apos;%2&apos;, which is not a class</source>
+        <translation>la classe « %1 » est de « %2 », qui n&apos;est pas une classe</translation>
+    </message>
+    <message>
+        <source>edits the same place as /places/%1</source>
+        <translation>modifie le même lieu que /places/%1</translation>
+    </message>
+    <message>
+        <source>Merge the two edits: where they differ, the later one applies.</source>
+        <translation>Réunissez les deux modifications : là où elles diffèrent, la seconde s&apos;applique.</translation>
+    </message>
+    <message>
+        <source>has the name &apos;%1&apos;, which another place has already</source>
+        <translation>porte le nom « %1 », qu&apos;un autre lieu porte déjà</translation>
+    </message>
+    <message>
+        <source>lies in no place and near none, so the edit has no effect</source>
+        <translation>n&apos;est dans aucun lieu ni près d&apos;aucun : la modification n&apos;a pas d&apos;effet</translation>
+    </message>
+    <message>
+        <source>Move its &quot;at&quot; into the place that it is about.</source>
+        <translation>Déplacez son « at » dans le lieu concerné.</translation>
+    </message>
+    <message>
+        <source>lies in no place; the edit applies to the nearest place, %1</source>
+        <translation>n&apos;est dans aucun lieu ; la modification s&apos;applique au lieu le plus proche, %1</translation>
+    </message>
+    <message>
+        <source>Edit that place once more, or move its &quot;at&quot; into the place that it is about.</source>
+        <translation>Modifiez de nouveau ce lieu, ou déplacez son « at » dans le lieu concerné.</translation>
+    </message>
+    <message>
+        <source>lies in no border of two places and near none, so the edit has no effect</source>
+        <translation>n&apos;est sur aucune frontière de deux lieux ni près d&apos;aucune : la modification n&apos;a pas d&apos;effet</translation>
+    </message>
+    <message>
+        <source>Move its &quot;at&quot; to where the two places meet.</source>
+        <translation>Déplacez son « at » là où les deux lieux se touchent.</translation>
+    </message>
+    <message>
+        <source>is flat</source>
+        <translation>est plat</translation>
+    </message>
+    <message>
+        <source>Give it a size.</source>
+        <translation>Donnez-lui une taille.</translation>
+    </message>
+    <message>
+        <source>is too small for this workspace</source>
+        <translation>est trop petit pour cet espace de travail</translation>
+    </message>
+    <message>
+        <source>Give 0, or at least %1.</source>
+        <translation>Donnez 0, ou au moins %1.</translation>
+    </message>
+    <message>
+        <source>is out of range</source>
+        <translation>est hors limites</translation>
+    </message>
+    <message>
+        <source>Give 1 to 4096 MiB.</source>
+        <translation>Donnez 1 à 4096 Mio.</translation>
+    </message>
+    <message>
+        <source>Give 2 to 8.</source>
+        <translation>Donnez 2 à 8.</translation>
+    </message>
+    <message>
+        <source>names no way to find places: &apos;%1&apos;</source>
+        <translation>ne nomme aucune méthode de recherche des lieux : « %1 »</translation>
+    </message>
+    <message>
+        <source>the environment model was not finished</source>
+        <translation>le modèle de l&apos;environnement n&apos;a pas été terminé</translation>
+    </message>
+    <message>
+        <source>forbids a place that is not there: its point lies in no place and near none</source>
+        <translation>interdit un lieu qui n&apos;existe pas : son point n&apos;est dans aucun lieu ni près d&apos;aucun</translation>
+    </message>
+    <message>
+        <source>Forbid the place where it is now, or remove this edit.</source>
+        <translation>Interdisez le lieu là où il est maintenant, ou supprimez cette modification.</translation>
+    </message>
     <message>
         <source>Region growing</source>
         <translation>Croissance de régions</translation>
     </message>
     <message>
+        <source>Grows places from the coarsest free cells down (Cailhol et al. 2019, section 5.1.2).</source>
+        <translation>Fait croître les lieux à partir des cellules libres les plus grosses (Cailhol et al. 2019, section 5.1.2).</translation>
+    </message>
+    <message>
         <source>Watershed</source>
         <translation>Partage des eaux</translation>
     </message>
-</context>
-<context>
-    <name>Planners</name>
     <message>
-        <source>Automatic</source>
-        <translation>Automatique</translation>
+        <source>Floods the distance transform from its widest spots (Meyer 1994).</source>
+        <translation>Inonde la transformée de distance à partir de ses points les plus larges (Meyer 1994).</translation>
     </message>
     <message>
-        <source>Several planners work side by side; those that make progress get more time. No settings are needed.</source>
-        <translation>Plusieurs planificateurs travaillent en parallèle&#xa0;; ceux qui progressent reçoivent plus de temps. Aucun réglage n&apos;est nécessaire.</translation>
+        <source>is not a defined attribute</source>
+        <translation>n&apos;est pas un attribut défini</translation>
     </message>
     <message>
-        <source>You steer the object and the computer searches with you; near an obstacle the object slides on it (Blin et al. 2016, Algorithm 1).</source>
-        <translation>Vous guidez l&apos;objet et l&apos;ordinateur cherche avec vous&#xa0;; près d&apos;un obstacle, l&apos;objet glisse dessus (Blin et al. 2016, algorithme 1).</translation>
+        <source>Define it under /attributes, or remove it.</source>
+        <translation>Définissez-le sous /attributes, ou supprimez-le.</translation>
     </message>
     <message>
-        <source>The computer alone: the same planner with an authority of 1.</source>
-        <translation>L&apos;ordinateur seul&#xa0;: le même planificateur avec une autorité de 1.</translation>
+        <source>is not a body of this scenario</source>
+        <translation>n&apos;est pas un corps de ce scénario</translation>
     </message>
     <message>
-        <source>Operator and computer share authority, no contact sampling (Blin et al. 2016, table I).</source>
-        <translation>L&apos;opérateur et l&apos;ordinateur partagent l&apos;autorité, sans échantillons de contact (Blin et al. 2016, tableau I).</translation>
+        <source>Correct the id.</source>
+        <translation>Corrigez l&apos;identifiant.</translation>
     </message>
     <message>
-        <source>As the papers&apos; software of 2016: near an obstacle contact sampling pre-empts the authority draw.</source>
-        <translation>Comme le logiciel des articles en 2016&#xa0;: près d&apos;un obstacle, les échantillons de contact passent avant le tirage de l&apos;autorité.</translation>
+        <source>is not a list of three numbers</source>
+        <translation>n&apos;est pas une liste de trois nombres</translation>
     </message>
     <message>
-        <source>One RRT in the whole workspace (Cailhol et al. 2019, section 6.1).</source>
-        <translation>Un RRT dans tout l&apos;espace de travail (Cailhol et al. 2019, section 6.1).</translation>
+        <source>is not a quaternion x, y, z, w</source>
+        <translation>n&apos;est pas un quaternion x, y, z, w</translation>
     </message>
     <message>
-        <source>The shortest way through the places, RRT in each of them (Cailhol et al. 2019, section 6.1).</source>
-        <translation>Le trajet le plus court à travers les lieux, un RRT dans chacun (Cailhol et al. 2019, section 6.1).</translation>
+        <source>is not a unit quaternion (its length is %1)</source>
+        <translation>n&apos;est pas un quaternion unitaire (sa norme est %1)</translation>
     </message>
     <message>
-        <source>Holes of the object&apos;s shape and easy places first (Cailhol et al. 2019, section 6.2).</source>
-        <translation>D&apos;abord les trous de la forme de l&apos;objet et les lieux faciles (Cailhol et al. 2019, section 6.2).</translation>
+        <source>Divide its four numbers by that length.</source>
+        <translation>Divisez ses quatre nombres par cette norme.</translation>
     </message>
     <message>
-        <source>Holes that the object fits and easy places first (Cailhol et al. 2019, section 6.2, table 1).</source>
-        <translation>D&apos;abord les trous où l&apos;objet passe et les lieux faciles (Cailhol et al. 2019, section 6.2, tableau 1).</translation>
+        <source>it is not sound BREP text</source>
+        <translation>ce n&apos;est pas un texte BREP correct</translation>
     </message>
     <message>
-        <source>The rules of the scenario.</source>
-        <translation>Les règles du scénario.</translation>
+        <source>holds no triangle</source>
+        <translation>ne contient aucun triangle</translation>
     </message>
     <message>
-        <source>Two trees that grow towards each other (Kuffner and LaValle 2000).</source>
-        <translation>Deux arbres qui croissent l&apos;un vers l&apos;autre (Kuffner et LaValle 2000).</translation>
+        <source>needs more than the %1 MiB of memory that a file of its size may take on this machine</source>
+        <translation>demande plus que les %1 Mio de mémoire admis sur cette machine pour un fichier de cette taille</translation>
     </message>
     <message>
-        <source>Two trees that grow from the border of the cells explored (Sucan and Kavraki 2009).</source>
-        <translation>Deux arbres qui croissent depuis le bord des cellules explorées (Sucan et Kavraki 2009).</translation>
+        <source>%1 more faces were triangulated from their boundaries</source>
+        <translation>%1 autres faces ont été triangulées à partir de leurs contours</translation>
     </message>
     <message>
-        <source>A roadmap of the whole space (Kavraki et al. 1996).</source>
-        <translation>Un graphe de tout l&apos;espace (Kavraki et al. 1996).</translation>
+        <source>it needs more than %1 triangles</source>
+        <translation>il demande plus de %1 triangles</translation>
     </message>
     <message>
-        <source>One tree that grows where it is sparse (Hsu et al. 1999).</source>
-        <translation>Un arbre qui croît là où il est peu dense (Hsu et al. 1999).</translation>
+        <source>it has more than %1 faces</source>
+        <translation>il a plus de %1 faces</translation>
     </message>
     <message>
-        <source>RRT-Connect as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
-        <translation>RRT-Connect tel que l&apos;emploient les utilisateurs d&apos;OMPL&#xa0;: collisions par FCL, arêtes vérifiées par points&#xa0;; le premier chemin est jugé par notre certificat.</translation>
+        <source>cannot be read as %1: %2</source>
+        <translation>ne peut pas être lu comme %1 : %2</translation>
     </message>
     <message>
-        <source>RRT as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
-        <translation>RRT tel que l&apos;emploient les utilisateurs d&apos;OMPL&#xa0;: collisions par FCL, arêtes vérifiées par points&#xa0;; le premier chemin est jugé par notre certificat.</translation>
+        <source>names</source>
+        <translation>noms</translation>
     </message>
     <message>
-        <source>TRRT as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
-        <translation>TRRT tel que l&apos;emploient les utilisateurs d&apos;OMPL&#xa0;: collisions par FCL, arêtes vérifiées par points&#xa0;; le premier chemin est jugé par notre certificat.</translation>
+        <source>are read as %1: &apos;%2&apos;</source>
+        <translation>sont lus comme %1 : « %2 »</translation>
     </message>
     <message>
-        <source>BiTRRT as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
-        <translation>BiTRRT tel que l&apos;emploient les utilisateurs d&apos;OMPL&#xa0;: collisions par FCL, arêtes vérifiées par points&#xa0;; le premier chemin est jugé par notre certificat.</translation>
+        <source>are in an encoding that cannot be told, and are read as %1: &apos;%2&apos;</source>
+        <translation>sont dans un codage impossible à déterminer, et sont lus comme %1 : « %2 »</translation>
     </message>
     <message>
-        <source>BKPIECE as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
-        <translation>BKPIECE tel que l&apos;emploient les utilisateurs d&apos;OMPL&#xa0;: collisions par FCL, arêtes vérifiées par points&#xa0;; le premier chemin est jugé par notre certificat.</translation>
+        <source>it is empty or too large</source>
+        <translation>il est vide ou trop grand</translation>
     </message>
     <message>
-        <source>Interactive without contact</source>
-        <translation>Interactive sans contact</translation>
+        <source>its shapes cannot be computed (%1)</source>
+        <translation>ses formes ne peuvent pas être calculées (%1)</translation>
     </message>
     <message>
-        <source>Two trees, without you</source>
-        <translation>Deux arbres, sans vous</translation>
+        <source>it needs more memory than an import may take</source>
+        <translation>il demande plus de mémoire qu&apos;un import n&apos;en peut prendre</translation>
     </message>
     <message>
-        <source>Interactive, contact first</source>
-        <translation>Interactive, contact d&apos;abord</translation>
+        <source>a limit cannot be set</source>
+        <translation>une limite ne peut pas être fixée</translation>
     </message>
     <message>
-        <source>One tree (G)</source>
-        <translation>Un arbre (G)</translation>
+        <source>the time cannot be limited</source>
+        <translation>le temps ne peut pas être limité</translation>
     </message>
     <message>
-        <source>Shortest way through places (GT)</source>
-        <translation>Plus court passage par les lieux (GT)</translation>
+        <source>the memory cannot be limited</source>
+        <translation>la mémoire ne peut pas être limitée</translation>
     </message>
     <message>
-        <source>Places: holes of the same shape (GTS1)</source>
-        <translation>Lieux&#xa0;: trous de même forme (GTS1)</translation>
+        <source>the capabilities cannot be given up</source>
+        <translation>les privilèges ne peuvent pas être abandonnés</translation>
     </message>
     <message>
-        <source>Places: holes that fit (GTS2)</source>
-        <translation>Lieux&#xa0;: trous qui conviennent (GTS2)</translation>
+        <source>new privileges cannot be given up</source>
+        <translation>l&apos;obtention de nouveaux privilèges ne peut pas être interdite</translation>
     </message>
     <message>
-        <source>Layers</source>
-        <translation>Couches</translation>
+        <source>is too large: it has %1, and at most %2 are read with the memory of this machine</source>
+        <translation>est trop grand : il a %1, et au plus %2 sont lus avec la mémoire de cette machine</translation>
     </message>
     <message>
-        <source>Places: own rules</source>
-        <translation>Lieux&#xa0;: règles propres</translation>
+        <source>Export fewer triangles, split the file, or use a machine with more free memory.</source>
+        <translation>Exportez moins de triangles, découpez le fichier, ou utilisez une machine avec plus de mémoire libre.</translation>
     </message>
     <message>
-        <source>Two trees of OMPL (RRT-Connect)</source>
-        <translation>Deux arbres d&apos;OMPL (RRT-Connect)</translation>
+        <source>is a Git LFS pointer: the file itself was not fetched</source>
+        <translation>est un pointeur Git LFS : le fichier lui-même n’a pas été récupéré</translation>
     </message>
     <message>
-        <source>Cells explored, of OMPL (BKPIECE)</source>
-        <translation>Cellules explorées, d&apos;OMPL (BKPIECE)</translation>
+        <source>Fetch it (git lfs pull), and load again.</source>
+        <translation>Récupérez-le (git lfs pull), puis rechargez.</translation>
     </message>
     <message>
-        <source>Roadmap of OMPL (PRM)</source>
-        <translation>Graphe d&apos;OMPL (PRM)</translation>
+        <source>has a triangle with a corner that does not exist</source>
+        <translation>a un triangle dont un sommet n&apos;existe pas</translation>
     </message>
     <message>
-        <source>One tree of OMPL (EST)</source>
-        <translation>Un arbre d&apos;OMPL (EST)</translation>
+        <source>holds no geometry</source>
+        <translation>ne contient aucune géométrie</translation>
     </message>
     <message>
-        <source>For comparison: unmodified RRT-Connect</source>
-        <translation>Pour comparer&#xa0;: RRT-Connect non modifié</translation>
+        <source>byte %1</source>
+        <translation>octet %1</translation>
     </message>
     <message>
-        <source>For comparison: unmodified RRT</source>
-        <translation>Pour comparer&#xa0;: RRT non modifié</translation>
+        <source>ends before its last chunk</source>
+        <translation>finit avant son dernier bloc</translation>
     </message>
     <message>
-        <source>For comparison: unmodified TRRT</source>
-        <translation>Pour comparer&#xa0;: TRRT non modifié</translation>
+        <source>has the unknown component type %1</source>
+        <translation>a le type de composante inconnu %1</translation>
     </message>
     <message>
-        <source>For comparison: unmodified BiTRRT</source>
-        <translation>Pour comparer&#xa0;: BiTRRT non modifié</translation>
+        <source>goes beyond the end of its data</source>
+        <translation>va au-delà de la fin de ses données</translation>
     </message>
     <message>
-        <source>For comparison: unmodified BKPIECE</source>
-        <translation>Pour comparer&#xa0;: BKPIECE non modifié</translation>
+        <source>has no whole number &apos;%1&apos;</source>
+        <translation>n&apos;a pas de nombre entier « %1 »</translation>
     </message>
     <message>
-        <source>Geometry, places and semantics (GTS): the object goes through the passages that it fits best, and takes the next best way where one fails.</source>
-        <translation>Géométrie, lieux et sémantique (GTS)&#xa0;: l&apos;objet prend les passages qui lui conviennent le mieux, et le meilleur trajet suivant quand l&apos;un échoue.</translation>
+        <source>is not a glTF file: its JSON is malformed or cut off</source>
+        <translation>n&apos;est pas un fichier glTF : son JSON est mal formé ou tronqué</translation>
     </message>
     <message>
-        <source>Interactive, contact that follows</source>
-        <translation>Interactif, contact suivi</translation>
+        <source>is of version %1; only 2 is read</source>
+        <translation>est de la version %1 ; seule la version 2 est lue</translation>
     </message>
     <message>
-        <source>Near an obstacle the object follows its surfaces from one contact to the next, and turns as they make it turn.</source>
-        <translation>Près d&apos;un obstacle, l&apos;objet suit ses surfaces d&apos;un contact au suivant et tourne comme elles le font tourner.</translation>
+        <source>claims a length of %1 bytes but is only %2 bytes long</source>
+        <translation>annonce %1 octets mais n&apos;en a que %2</translation>
     </message>
     <message>
-        <source>Interactive</source>
-        <translation>Interactif</translation>
+        <source>has a &apos;uri&apos; that is not a text</source>
+        <translation>a un « uri » qui n&apos;est pas un texte</translation>
     </message>
     <message>
-        <source>You steer the object, and the automatic planners search along the way that you show. Without your hand it is the automatic strategy.</source>
-        <translation>Vous guidez l&apos;objet, et les planificateurs automatiques cherchent le long du trajet que vous montrez. Sans votre main, c&apos;est la stratégie automatique.</translation>
+        <source>keeps its data in a file of its own (%1)</source>
+        <translation>garde ses données dans un fichier séparé (%1)</translation>
     </message>
     <message>
-        <source>Interactive with contact (paper)</source>
-        <translation>Interactif avec contact (article)</translation>
-    </message>
-</context>
-<context>
-    <name>Plots</name>
-    <message>
-        <source>paper</source>
-        <translation>article</translation>
+        <source>holds data that is not base64</source>
+        <translation>contient des données qui ne sont pas en base64</translation>
     </message>
     <message>
-        <source>Scenario</source>
-        <translation>Scénario</translation>
+        <source>does not exist</source>
+        <translation>n&apos;existe pas</translation>
     </message>
     <message>
-        <source>Success rate (%)</source>
-        <translation>Taux de succès (%)</translation>
+        <source>names a buffer that does not exist</source>
+        <translation>nomme un tampon qui n&apos;existe pas</translation>
     </message>
     <message>
-        <source>Time (s)</source>
-        <translation>Temps (s)</translation>
+        <source>is not of the type %1</source>
+        <translation>n&apos;est pas du type %1</translation>
     </message>
     <message>
-        <source>Nodes</source>
-        <translation>Nœuds</translation>
+        <source>has no data</source>
+        <translation>n&apos;a pas de données</translation>
     </message>
     <message>
-        <source>Edges</source>
-        <translation>Arêtes</translation>
+        <source>has no element</source>
+        <translation>n&apos;a aucun élément</translation>
     </message>
     <message>
-        <source>Random configurations (mean)</source>
-        <translation>Configurations aléatoires (moyenne)</translation>
+        <source>claims %1 elements, more than its data holds</source>
+        <translation>annonce %1 éléments, plus que ses données n&apos;en contiennent</translation>
     </message>
     <message>
-        <source>Virtual time (s)</source>
-        <translation>Temps virtuel (s)</translation>
+        <source>has no indices or no values</source>
+        <translation>n&apos;a pas d&apos;indices ou pas de valeurs</translation>
     </message>
     <message>
-        <source>Random configurations</source>
-        <translation>Configurations aléatoires</translation>
+        <source>claims more elements than the file has bytes</source>
+        <translation>annonce plus d&apos;éléments que le fichier n&apos;a d&apos;octets</translation>
     </message>
     <message>
-        <source>Authority α</source>
-        <translation>Autorité α</translation>
+        <source>has an index that does not exist</source>
+        <translation>a un indice qui n&apos;existe pas</translation>
     </message>
     <message>
-        <source>Contact samples N</source>
-        <translation>Échantillons de contact N</translation>
+        <source>requires the extension %1, which is not read</source>
+        <translation>exige l&apos;extension %1, qui n&apos;est pas lue</translation>
     </message>
     <message>
-        <source>Contact distance d (m)</source>
-        <translation>Distance de contact d (m)</translation>
+        <source>has a &apos;%1&apos; that is not %2 numbers</source>
+        <translation>a un « %1 » qui n&apos;est pas fait de %2 nombres</translation>
     </message>
-</context>
-<context>
-    <name>Presets</name>
+    <message>
+        <source>has a rotation of length zero</source>
+        <translation>a une rotation de norme nulle</translation>
+    </message>
+    <message>
+        <source>has %1 corners, which are not whole triangles</source>
+        <translation>a %1 sommets, qui ne font pas des triangles entiers</translation>
+    </message>
+    <message>
+        <source>names a node that is not a number</source>
+        <translation>nomme un nœud qui n&apos;est pas un nombre</translation>
+    </message>
+    <message>
+        <source>names node %1, which is in the scene already</source>
+        <translation>nomme le nœud %1, qui est déjà dans la scène</translation>
+    </message>
+    <message>
+        <source>has instances by the extension &apos;EXT_mesh_gpu_instancing&apos;, which is not read</source>
+        <translation>a des instances par l&apos;extension « EXT_mesh_gpu_instancing », qui n&apos;est pas lue</translation>
+    </message>
+    <message>
+        <source>%1: has a skin, which is not applied</source>
+        <translation>%1 : a une peau (« skin »), qui n&apos;est pas appliquée</translation>
+    </message>
+    <message>
+        <source>has no primitives</source>
+        <translation>n&apos;a pas de primitives</translation>
+    </message>
+    <message>
+        <source>has the unknown mode %1</source>
+        <translation>a le mode inconnu %1</translation>
+    </message>
+    <message>
+        <source>%1: has morph targets, which are not applied</source>
+        <translation>%1 : a des cibles de morphage, qui ne sont pas appliquées</translation>
+    </message>
+    <message>
+        <source>has a position that is not a finite number</source>
+        <translation>a une position qui n&apos;est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>has vertex %1 in its indices, but %2 vertices</source>
+        <translation>a le sommet %1 dans ses indices, mais %2 sommets</translation>
+    </message>
+    <message>
+        <source>has JSON values of the wrong types</source>
+        <translation>a des valeurs JSON de mauvais type</translation>
+    </message>
+    <message>
+        <source>line %1: the last line has no end; the file may be cut off</source>
+        <translation>ligne %1 : la dernière ligne n&apos;a pas de fin ; le fichier est peut-être tronqué</translation>
+    </message>
+    <message>
+        <source>has a free-form curve or surface (%1), which is not read</source>
+        <translation>a une courbe ou une surface de forme libre (%1), qui n&apos;est pas lue</translation>
+    </message>
+    <message>
+        <source>begins with %1, which is not a statement of an OBJ file</source>
+        <translation>commence par %1, qui n&apos;est pas une instruction d&apos;un fichier OBJ</translation>
+    </message>
+    <message>
+        <source>the coordinate</source>
+        <translation>la coordonnée</translation>
+    </message>
+    <message>
+        <source>the weight</source>
+        <translation>le poids</translation>
+    </message>
+    <message>
+        <source>has a vertex with a weight other than 1</source>
+        <translation>a un sommet dont le poids n&apos;est pas 1</translation>
+    </message>
+    <message>
+        <source>has a face of 1 corner</source>
+        <translation>a une face de 1 sommet</translation>
+    </message>
+    <message>
+        <source>has a face of %1 corners</source>
+        <translation>a une face de %1 sommets</translation>
+    </message>
+    <message>
+        <source>has a face whose outline crosses itself</source>
+        <translation>a une face dont le contour se recoupe</translation>
+    </message>
+    <message>
+        <source>has the corner %1, which is not of the form a/b/c</source>
+        <translation>a le coin %1, qui n&apos;est pas de la forme a/b/c</translation>
+    </message>
+    <message>
+        <source>vertex</source>
+        <translation>sommet</translation>
+    </message>
+    <message>
+        <source>texture coordinate</source>
+        <translation>coordonnée de texture</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normale</translation>
+    </message>
+    <message>
+        <source>has %1 where the number of a %2 is expected</source>
+        <translation>a %1 là où un numéro est attendu (%2)</translation>
+    </message>
+    <message>
+        <source>has a face with %1 %2, but the file has %3</source>
+        <translation>a une face avec %1 %2, mais le fichier en a %3</translation>
+    </message>
+    <message>
+        <source>has %1 where a type of numbers is expected</source>
+        <translation>a %1 là où un type de nombres est attendu</translation>
+    </message>
+    <message>
+        <source>has the unknown format %1</source>
+        <translation>a le format inconnu %1</translation>
+    </message>
+    <message>
+        <source>has %1 where a number of elements is expected</source>
+        <translation>a %1 là où un nombre d&apos;éléments est attendu</translation>
+    </message>
+    <message>
+        <source>has a property without a name</source>
+        <translation>a une propriété sans nom</translation>
+    </message>
+    <message>
+        <source>claims %1 of %2 but is only %3 bytes long</source>
+        <translation>annonce %1 de %2 mais n&apos;a que %3 octets</translation>
+    </message>
+    <message>
+        <source>does not begin with &apos;ply&apos;</source>
+        <translation>ne commence pas par « ply »</translation>
+    </message>
+    <message>
+        <source>has a property before any element</source>
+        <translation>a une propriété avant tout élément</translation>
+    </message>
+    <message>
+        <source>does not say its format before &apos;end_header&apos;</source>
+        <translation>n&apos;indique pas son format avant « end_header »</translation>
+    </message>
+    <message>
+        <source>ends after its header</source>
+        <translation>finit après son en-tête</translation>
+    </message>
+    <message>
+        <source>has %1 in its header</source>
+        <translation>a %1 dans son en-tête</translation>
+    </message>
+    <message>
+        <source>ends before &apos;end_header&apos;</source>
+        <translation>finit avant « end_header »</translation>
+    </message>
+    <message>
+        <source>the number</source>
+        <translation>le nombre</translation>
+    </message>
+    <message>
+        <source>ends before its last element</source>
+        <translation>finit avant son dernier élément</translation>
+    </message>
+    <message>
+        <source>has a number that is not finite</source>
+        <translation>a un nombre qui n&apos;est pas fini</translation>
+    </message>
+    <message>
+        <source>holds triangle strips, which are not read</source>
+        <translation>contient des bandes de triangles, qui ne sont pas lues</translation>
+    </message>
+    <message>
+        <source>goes on after the elements that its header claims</source>
+        <translation>continue après les éléments qu&apos;annonce son en-tête</translation>
+    </message>
+    <message>
+        <source>has a list of an impossible length</source>
+        <translation>a une liste d&apos;une longueur impossible</translation>
+    </message>
+    <message>
+        <source>has vertices without x, y and z</source>
+        <translation>a des sommets sans x, y et z</translation>
+    </message>
+    <message>
+        <source>has faces before its vertices</source>
+        <translation>a des faces avant ses sommets</translation>
+    </message>
+    <message>
+        <source>has faces without a list &apos;vertex_indices&apos;</source>
+        <translation>a des faces sans liste « vertex_indices »</translation>
+    </message>
+    <message>
+        <source>has a face with vertex %1, but the file has %2</source>
+        <translation>a une face avec le sommet %1, mais le fichier en a %2</translation>
+    </message>
+    <message>
+        <source>has a facet with more than three corners</source>
+        <translation>a une facette de plus de trois sommets</translation>
+    </message>
+    <message>
+        <source>has a facet normal with fewer than three numbers</source>
+        <translation>a une normale de facette de moins de trois nombres</translation>
+    </message>
+    <message>
+        <source>ends before &apos;endsolid&apos;</source>
+        <translation>finit avant « endsolid »</translation>
+    </message>
+    <message>
+        <source>has %1 where &apos;%2&apos; is expected</source>
+        <translation>a %1 là où « %2 » est attendu</translation>
+    </message>
+    <message>
+        <source>is too short for an STL file</source>
+        <translation>est trop court pour un fichier STL</translation>
+    </message>
+    <message>
+        <source>claims %1 triangles but is only %2 bytes long</source>
+        <translation>annonce %1 triangles mais n&apos;a que %2 octets</translation>
+    </message>
+    <message>
+        <source>goes on after the %1 triangles that it claims to have</source>
+        <translation>continue après les %1 triangles qu&apos;il annonce</translation>
+    </message>
+    <message>
+        <source>has a coordinate that is not a finite number</source>
+        <translation>a une coordonnée qui n&apos;est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>ends before %1</source>
+        <translation>finit avant %1</translation>
+    </message>
+    <message>
+        <source>%1 %2 is not a number</source>
+        <translation>%1 %2 n&apos;est pas un nombre</translation>
+    </message>
+    <message>
+        <source>%1 %2 is not a finite number</source>
+        <translation>%1 %2 n&apos;est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>has %1 triangles with two equal corners, which were left out</source>
+        <translation>a %1 triangles à deux sommets égaux, qui ont été omis</translation>
+    </message>
+    <message>
+        <source>They have no area, so that no surface is missing.</source>
+        <translation>Leur aire est nulle : il ne manque aucune surface.</translation>
+    </message>
+    <message>
+        <source>was closed along %1 edges on which vertices of neighbouring faces lie (T-junctions)</source>
+        <translation>a été fermé le long de %1 arêtes où se trouvent des sommets de faces voisines (jonctions en T)</translation>
+    </message>
+    <message>
+        <source>The surface has moved by at most %1 micrometres.</source>
+        <translation>La surface s&apos;est déplacée d&apos;au plus %1 micromètres.</translation>
+    </message>
+    <message>
+        <source>had %1 planar holes, which were closed as asked for; %2 holes are left open</source>
+        <translation>avait %1 trous plans, fermés comme demandé ; %2 trous restent ouverts</translation>
+    </message>
+    <message>
+        <source>Look at them: what is behind a closed hole is solid.</source>
+        <translation>Vérifiez-les : ce qui est derrière un trou fermé est plein.</translation>
+    </message>
+    <message>
+        <source>has changed since the scenario was saved</source>
+        <translation>a changé depuis l&apos;enregistrement du scénario</translation>
+    </message>
+    <message>
+        <source>Check the scenario and save it again.</source>
+        <translation>Vérifiez le scénario et enregistrez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>holds no triangle with three corners</source>
+        <translation>ne contient aucun triangle à trois sommets</translation>
+    </message>
+    <message>
+        <source>Export the part again.</source>
+        <translation>Exportez de nouveau la pièce.</translation>
+    </message>
+    <message>
+        <source>asset &apos;%1&apos;</source>
+        <translation>asset « %1 »</translation>
+    </message>
+    <message>
+        <source>has a unit or an up-axis, but a %1 file says itself what its numbers mean, and is z up</source>
+        <translation>a une unité ou un axe vertical, mais un fichier %1 donne lui-même le sens de ses nombres, avec z vers le haut</translation>
+    </message>
+    <message>
+        <source>Leave out &apos;unit&apos; and &apos;up_axis&apos;.</source>
+        <translation>Omettez « unit » et « up_axis ».</translation>
+    </message>
+    <message>
+        <source>is not closed: faces or boundaries that could not be made: %1; proofs take what is missing as free space</source>
+        <translation>n&apos;est pas fermé : %1 faces ou contours n&apos;ont pas pu être construits ; les preuves prennent ce qui manque pour de l&apos;espace libre</translation>
+    </message>
+    <message>
+        <source>Do not trust paths near it; export it again, or as a mesh.</source>
+        <translation>Ne vous fiez pas aux chemins qui passent près d&apos;elle ; exportez-la de nouveau, ou en maillage.</translation>
+    </message>
+    <message>
+        <source>the scenario neither names it nor leaves it out</source>
+        <translation>le scénario ne la nomme pas et ne l&apos;écarte pas</translation>
+    </message>
+    <message>
+        <source>it is not sound IGES text</source>
+        <translation>ce n&apos;est pas un texte IGES correct</translation>
+    </message>
+    <message>
+        <source>its kind is not read</source>
+        <translation>sa sorte n&apos;est pas lue</translation>
+    </message>
+    <message>
+        <source>it could not be made</source>
+        <translation>il n&apos;a pas pu être construit</translation>
+    </message>
+    <message>
+        <source>it ends before its terminate section (T): it is cut off</source>
+        <translation>il finit avant sa section de fin (T) : il est tronqué</translation>
+    </message>
+    <message>
+        <source>column 73 of its first line is not S: it is no text of 80 columns</source>
+        <translation>la colonne 73 de sa première ligne n&apos;est pas S : ce n&apos;est pas un texte de 80 colonnes</translation>
+    </message>
+    <message>
+        <source>its line %1 is of no section, or of another one than the lines around it</source>
+        <translation>sa ligne %1 n&apos;est d&apos;aucune section, ou d&apos;une autre que les lignes voisines</translation>
+    </message>
+    <message>
+        <source>its line %1 is not numbered as it should be (%2): lines are missing, or damaged</source>
+        <translation>sa ligne %1 n&apos;a pas le numéro attendu (%2) : des lignes manquent ou sont abîmées</translation>
+    </message>
+    <message>
+        <source>it has %1 lines in its section %2, and states %3: lines are missing</source>
+        <translation>il a %1 lignes dans sa section %2 et en annonce %3 : des lignes manquent</translation>
+    </message>
+    <message>
+        <source>%1 bytes</source>
+        <translation>%1 octets</translation>
+    </message>
+    <message>
+        <source>%1 MiB</source>
+        <translation>%1 Mio</translation>
+    </message>
+    <message>
+        <source>Read it again.</source>
+        <translation>Lisez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>takes too long to read: it is too complex or malformed</source>
+        <translation>est trop long à lire : il est trop complexe ou mal formé</translation>
+    </message>
+    <message>
+        <source>was not read: the library that reads this format crashed on it</source>
+        <translation>n&apos;a pas été lu : la bibliothèque qui lit ce format s&apos;est arrêtée brutalement</translation>
+    </message>
+    <message>
+        <source>was not read: the library that reads this format crashed on it (%1)</source>
+        <translation>n&apos;a pas été lu : la bibliothèque qui lit ce format s&apos;est arrêtée brutalement (%1)</translation>
+    </message>
+    <message>
+        <source>the importer failed on it</source>
+        <translation>l&apos;importateur a échoué sur ce fichier</translation>
+    </message>
+    <message>
+        <source>was not read: the importing process cannot give up its rights (%1)</source>
+        <translation>n&apos;a pas été lu : le processus d&apos;import ne peut pas abandonner ses droits (%1)</translation>
+    </message>
+    <message>
+        <source>Files are read only where the kernel permits seccomp filters: use another machine or container.</source>
+        <translation>Les fichiers ne sont lus que si le noyau permet les filtres seccomp : utilisez une autre machine ou un autre conteneur.</translation>
+    </message>
+    <message>
+        <source>holds %1 vertices and %2 triangles; at most %3 of each are read</source>
+        <translation>contient %1 sommets et %2 triangles ; au plus %3 de chaque sont lus</translation>
+    </message>
+    <message>
+        <source>has a vertex whose coordinates are not finite, or too large</source>
+        <translation>a un sommet dont les coordonnées ne sont pas finies ou sont trop grandes</translation>
+    </message>
+    <message>
+        <source>does not fit the content: the file was edited outside of Glissade, or it is damaged</source>
+        <translation>ne correspond pas au contenu : le fichier a été modifié hors de Glissade, ou il est endommagé</translation>
+    </message>
+    <message>
+        <source>its groups are nested too deeply</source>
+        <translation>ses groupes sont trop imbriqués</translation>
+    </message>
+    <message>
+        <source>it has too many groups and parts</source>
+        <translation>il a trop de groupes et de pièces</translation>
+    </message>
+    <message>
+        <source>it has more than %1 parts</source>
+        <translation>il a plus de %1 pièces</translation>
+    </message>
+    <message>
+        <source>%1 faces are smaller than the gaps between faces</source>
+        <translation>%1 faces sont plus petites que les intervalles entre les faces</translation>
+    </message>
+    <message>
+        <source>holds 32-bit coordinates whose spacing of %1 is too coarse for a part with a diagonal of %2 (units of the file)</source>
+        <translation>contient des coordonnées sur 32 bits dont l&apos;espacement de %1 est trop grossier pour une pièce de diagonale %2 (unités du fichier)</translation>
+    </message>
+    <message>
+        <source>Export the part nearer to its origin, or as STL text, OBJ or PLY text with enough digits.</source>
+        <translation>Exportez la pièce plus près de son origine, ou en texte STL, OBJ ou PLY avec assez de chiffres.</translation>
+    </message>
+    <message>
+        <source>Export the part again, for example as binary STL or GLB.</source>
+        <translation>Exportez de nouveau la pièce, par exemple en STL binaire ou en GLB.</translation>
+    </message>
+    <message>
+        <source>is of a kind that is not read (&apos;%1&apos;)</source>
+        <translation>est d&apos;un type qui n&apos;est pas lu (« %1 »)</translation>
+    </message>
+    <message>
+        <source>Use STL, OBJ, PLY, DAE, glTF or GLB; &quot;step&quot; and &quot;urdf&quot; are shapes of their own in a scenario.</source>
+        <translation>Utilisez STL, OBJ, PLY, DAE, glTF ou GLB ; dans un scénario, « step » et « urdf » sont des formes à part.</translation>
+    </message>
+    <message>
+        <source>Buffers in files of their own are not read: export it as one .glb file.</source>
+        <translation>Les tampons dans des fichiers séparés ne sont pas lus : exportez-le en un seul fichier .glb.</translation>
+    </message>
+    <message>
+        <source>it holds neither a solid nor a face</source>
+        <translation>il ne contient ni solide ni face</translation>
+    </message>
+    <message>
+        <source>it holds neither a solid nor a face: %1 %2: %3</source>
+        <translation>il ne contient ni solide ni face : %1 %2 : %3</translation>
+    </message>
+    <message>
+        <source>Correct the OMPL.app problem file.</source>
+        <translation>Corrigez le fichier de problème OMPL.app.</translation>
+    </message>
+    <message>
+        <source>is not &apos;key = value&apos;</source>
+        <translation>n&apos;est pas de la forme « clé = valeur »</translation>
+    </message>
+    <message>
+        <source>gives &apos;%1&apos; a second time</source>
+        <translation>donne « %1 » une seconde fois</translation>
+    </message>
+    <message>
+        <source>is missing or empty</source>
+        <translation>manque ou est vide</translation>
+    </message>
+    <message>
+        <source>is beyond 1e9</source>
+        <translation>dépasse 1e9</translation>
+    </message>
+    <message>
+        <source>is zero</source>
+        <translation>est nul</translation>
+    </message>
+    <message>
+        <source>names &apos;%1&apos;, which is no part of several solids</source>
+        <translation>nomme « %1 », qui n&apos;est pas une pièce de plusieurs solides</translation>
+    </message>
+    <message>
+        <source>See &apos;glissade-cli info&apos; for the names.</source>
+        <translation>Les noms sont donnés par « glissade-cli info ».</translation>
+    </message>
+    <message>
+        <source>the file name &apos;%1&apos; leaves the folder</source>
+        <translation>le nom de fichier « %1 » sort du dossier</translation>
+    </message>
+    <message>
+        <source>Put the file beside the scenario or below it and name it relative to it.</source>
+        <translation>Mettez le fichier à côté du scénario ou au-dessous, et nommez-le relativement à lui.</translation>
+    </message>
+    <message>
+        <source>has no face that could be tessellated</source>
+        <translation>n&apos;a aucune face qui ait pu être triangulée</translation>
+    </message>
+    <message>
+        <source>The deviation counts in every certificate; export the part as a mesh if it is too much.</source>
+        <translation>L&apos;écart compte dans chaque certificat ; exportez la pièce en maillage s&apos;il est trop grand.</translation>
+    </message>
+    <message>
+        <source>It is an obstacle that can be inside of others. Export it as a solid, or leave it out (--without).</source>
+        <translation>C&apos;est un obstacle qui peut se trouver à l&apos;intérieur d&apos;autres. Exportez-le comme solide, ou écartez-le (--without).</translation>
+    </message>
+    <message>
+        <source>Give them faces if they are parts.</source>
+        <translation>Donnez-leur des faces si ce sont des pièces.</translation>
+    </message>
+    <message>
+        <source>Leave it out if it is no part (--without).</source>
+        <translation>Écartez-le si ce n&apos;est pas une pièce (--without).</translation>
+    </message>
+    <message>
+        <source>Export solids and triangles as two products if they are two parts.</source>
+        <translation>Exportez les solides et les triangles comme deux produits si ce sont deux pièces.</translation>
+    </message>
+    <message>
+        <source>Where that is wrong, export it with names in UTF-8, or name its parts by their numbers (#2).</source>
+        <translation>Si c&apos;est faux, exportez-le avec des noms en UTF-8, ou nommez ses pièces par leurs numéros (#2).</translation>
+    </message>
+    <message>
+        <source>%1: the part is not closed there; proofs take what is missing as free space</source>
+        <translation>%1 : la pièce n&apos;y est pas fermée ; les preuves prennent ce qui manque pour de l&apos;espace libre</translation>
+    </message>
+    <message>
+        <source>has a part that is at no place in space</source>
+        <translation>a une pièce sans position dans l&apos;espace</translation>
+    </message>
+    <message>
+        <source>its assemblies are nested too deeply, or hold themselves</source>
+        <translation>ses assemblages sont trop imbriqués, ou se contiennent eux-mêmes</translation>
+    </message>
+    <message>
+        <source>it has more than %1 assemblies and parts</source>
+        <translation>il a plus de %1 assemblages et pièces</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is mirrored or scaled by its assembly and is in another file</source>
+        <translation>« %1 » est symétrisée ou mise à l&apos;échelle par son assemblage et se trouve dans un autre fichier</translation>
+    </message>
+    <message>
+        <source>%1 more could not be made</source>
+        <translation>%1 autres n&apos;ont pas pu être construits</translation>
+    </message>
+    <message>
+        <source>it is not sound STEP text</source>
+        <translation>ce n&apos;est pas un texte STEP correct</translation>
+    </message>
+    <message>
+        <source>it holds no product that can be understood</source>
+        <translation>il ne contient aucun produit interprétable</translation>
+    </message>
+    <message>
+        <source>Export the part as a solid with faces, or as triangles.</source>
+        <translation>Exportez la pièce comme solide avec des faces, ou comme triangles.</translation>
+    </message>
+    <message>
+        <source>Put the files there and load again, or export the product as one file.</source>
+        <translation>Placez-y les fichiers et rechargez, ou exportez le produit en un seul fichier.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 et %2 autres</translation>
+    </message>
+    <message>
+        <source>has more than %1 parts</source>
+        <translation>a plus de %1 pièces</translation>
+    </message>
+    <message>
+        <source>places other files more than %1 times, those that they place counted</source>
+        <translation>place plus de %1 fois d&apos;autres fichiers, en comptant ceux que ces fichiers placent</translation>
+    </message>
+    <message>
+        <source>is nested too deeply in other files</source>
+        <translation>est trop imbriqué dans d&apos;autres fichiers</translation>
+    </message>
+    <message>
+        <source>names &apos;%1&apos; for a part, which holds this file itself</source>
+        <translation>nomme pour une pièce le fichier « %1 », qui contient le présent fichier</translation>
+    </message>
+    <message>
+        <source>names more than %1 files</source>
+        <translation>nomme plus de %1 fichiers</translation>
+    </message>
+    <message>
+        <source>and the files that it names have more than %1</source>
+        <translation>a, avec les fichiers qu&apos;il nomme, plus de %1</translation>
+    </message>
+    <message>
+        <source>needs more than %1 triangles</source>
+        <translation>demande plus de %1 triangles</translation>
+    </message>
+    <message>
+        <source>%1 more of its shapes are missing</source>
+        <translation>%1 autres de ses formes manquent</translation>
+    </message>
+    <message>
+        <source>part &apos;%1&apos;</source>
+        <translation>pièce « %1 »</translation>
+    </message>
+    <message>
+        <source>nothing is known of where %1 is, and proofs are about the product without it: %2</source>
+        <translation>on ne sait pas où est %1, et les preuves portent sur le produit sans lui : %2</translation>
+    </message>
+    <message>
+        <source>%1 more files of its parts are missing</source>
+        <translation>%1 autres fichiers de ses pièces manquent</translation>
+    </message>
+    <message>
+        <source>part %1</source>
+        <translation>pièce %1</translation>
+    </message>
+    <message>
+        <source>is missing, and proofs take it as free space: its file &apos;%1&apos; %2 (looked for in &apos;%3&apos;)</source>
+        <translation>manque, et les preuves la prennent pour de l&apos;espace libre : son fichier « %1 » %2 (cherché dans « %3 »)</translation>
+    </message>
+    <message>
+        <source>has its parts in other files, and none of them is there: %1 (looked for in &apos;%2&apos;)</source>
+        <translation>a ses pièces dans d&apos;autres fichiers, dont aucun n&apos;existe : %1 (cherchés dans « %2 »)</translation>
+    </message>
+    <message>
+        <source>Export the product as one file.</source>
+        <translation>Exportez le produit en un seul fichier.</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>plan</translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation>cylindre</translation>
+    </message>
+    <message>
+        <source>cone</source>
+        <translation>cône</translation>
+    </message>
+    <message>
+        <source>sphere</source>
+        <translation>sphère</translation>
+    </message>
+    <message>
+        <source>torus</source>
+        <translation>tore</translation>
+    </message>
+    <message>
+        <source>B-spline surface</source>
+        <translation>surface B-spline</translation>
+    </message>
+    <message>
+        <source>Bezier surface</source>
+        <translation>surface de Bézier</translation>
+    </message>
+    <message>
+        <source>surface of revolution</source>
+        <translation>surface de révolution</translation>
+    </message>
+    <message>
+        <source>surface of extrusion</source>
+        <translation>surface d&apos;extrusion</translation>
+    </message>
+    <message>
+        <source>offset surface</source>
+        <translation>surface décalée</translation>
+    </message>
+    <message>
+        <source>face %1 (%2)</source>
+        <translation>la face %1 (%2)</translation>
+    </message>
+    <message>
+        <source>face %1 (%2) of &apos;%3&apos;</source>
+        <translation>face %1 (%2) de « %3 »</translation>
+    </message>
+    <message>
+        <source>OpenCASCADE makes no triangles for it</source>
+        <translation>OpenCASCADE ne lui fait aucun triangle</translation>
+    </message>
+    <message>
+        <source>OpenCASCADE&apos;s triangles leave its boundary open</source>
+        <translation>les triangles d&apos;OpenCASCADE laissent son contour ouvert</translation>
+    </message>
+    <message>
+        <source>OpenCASCADE&apos;s triangles overlap on it</source>
+        <translation>les triangles d&apos;OpenCASCADE s&apos;y recouvrent</translation>
+    </message>
+    <message>
+        <source>%1; it was triangulated from its boundaries, within %2 mm of its surface</source>
+        <translation>%1 ; elle a été triangulée à partir de ses contours, à %2 mm de sa surface au plus</translation>
+    </message>
+    <message>
+        <source>%1, because its boundaries cross; it was triangulated between their points, within %2 mm of its surface</source>
+        <translation>%1, parce que ses contours se croisent ; elle a été triangulée entre leurs points, à %2 mm de sa surface au plus</translation>
+    </message>
+    <message>
+        <source>%1, and its boundaries cannot be triangulated</source>
+        <translation>%1, et ses contours ne peuvent pas être triangulés</translation>
+    </message>
+    <message>
+        <source>its triangles enclose %1 cubic millimetres, and its faces %2: they differ by more than the deviation of the triangles explains</source>
+        <translation>ses triangles enferment %1 millimètres cubes, et ses faces %2 : la différence dépasse ce que l&apos;écart des triangles explique</translation>
+    </message>
+    <message>
+        <source>is not a STEP file (it does not begin with ISO-10303-21)</source>
+        <translation>n&apos;est pas un fichier STEP (il ne commence pas par ISO-10303-21)</translation>
+    </message>
+    <message>
+        <source>Export the part as STEP AP214 or AP242, not compressed and not as XML.</source>
+        <translation>Exportez la pièce en STEP AP214 ou AP242, sans compression ni XML.</translation>
+    </message>
+    <message>
+        <source>is a building model (IFC), not a product</source>
+        <translation>est une maquette de bâtiment (IFC), pas un produit</translation>
+    </message>
+    <message>
+        <source>Export it as STEP AP214 or AP242.</source>
+        <translation>Exportez-le en STEP AP214 ou AP242.</translation>
+    </message>
+    <message>
+        <source>ends before END-ISO-10303-21: it is cut off</source>
+        <translation>finit avant END-ISO-10303-21 : il est tronqué</translation>
+    </message>
+    <message>
+        <source>is a binary BREP file, which is not read: write it as text</source>
+        <translation>est un fichier BREP binaire, qui n&apos;est pas lu : écrivez-le en texte</translation>
+    </message>
+    <message>
+        <source>is not a BREP file (it does not begin with &apos;CASCADE Topology V&apos;)</source>
+        <translation>n&apos;est pas un fichier BREP (il ne commence pas par « CASCADE Topology V »)</translation>
+    </message>
+    <message>
+        <source>Export it again as STEP AP214 or AP242, or its parts as meshes.</source>
+        <translation>Exportez-le de nouveau en STEP AP214 ou AP242, ou ses pièces en maillages.</translation>
+    </message>
+    <message>
+        <source>the solid could not be made</source>
+        <translation>le solide n&apos;a pas pu être construit</translation>
+    </message>
+    <message>
+        <source>number %1 of its faces is not a face</source>
+        <translation>sa face numéro %1 n&apos;est pas une face</translation>
+    </message>
+    <message>
+        <source>its face %1 could not be made</source>
+        <translation>sa face %1 n&apos;a pas pu être construite</translation>
+    </message>
+    <message>
+        <source>number %1 of its boundaries could not be made</source>
+        <translation>son contour numéro %1 n&apos;a pas pu être construit</translation>
+    </message>
+    <message>
+        <source>more than %1 of its faces could not be made</source>
+        <translation>plus de %1 de ses faces n&apos;ont pas pu être construites</translation>
+    </message>
+    <message>
+        <source>%1 mirrors a part in a way that cannot be read: write it as a part of its own</source>
+        <translation>%1 symétrise une pièce d&apos;une façon qui ne peut pas être lue : écrivez-la comme une pièce à part</translation>
+    </message>
+    <message>
+        <source>%1 scales a part in a way that cannot be read: write it as a part of its own</source>
+        <translation>%1 met une pièce à l&apos;échelle d&apos;une façon qui ne peut pas être lue : écrivez-la comme une pièce à part</translation>
+    </message>
+    <message>
+        <source>%1 places a part in a way that cannot be read: write it as a part of its own</source>
+        <translation>%1 place une pièce d&apos;une façon qui ne peut pas être lue : écrivez-la comme une pièce à part</translation>
+    </message>
+    <message>
+        <source>%1 places a part that could not be made</source>
+        <translation>%1 place une pièce qui n&apos;a pas pu être construite</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is distorted by its assembly</source>
+        <translation>« %1 » est déformée par son assemblage</translation>
+    </message>
+    <message>
+        <source>a mirrored or scaled part was not found in its assembly</source>
+        <translation>une pièce symétrisée ou mise à l&apos;échelle n&apos;a pas été trouvée dans son assemblage</translation>
+    </message>
+    <message>
+        <source>the product has no shape in the file</source>
+        <translation>le produit n&apos;a pas de forme dans le fichier</translation>
+    </message>
+    <message>
+        <source>it places the part, and is not understood</source>
+        <translation>il place la pièce, et n&apos;est pas compris</translation>
+    </message>
+    <message>
+        <source>it belongs to no solid of the file</source>
+        <translation>il n&apos;appartient à aucun solide du fichier</translation>
+    </message>
+    <message>
+        <source>its triangles cannot be read: %1</source>
+        <translation>ses triangles ne peuvent pas être lus : %1</translation>
+    </message>
+    <message>
+        <source>it was made in %1 of its %2 places</source>
+        <translation>il a été construit à %1 de ses %2 emplacements</translation>
+    </message>
+    <message>
+        <source>it belongs to no product of the file and is read as a body where its coordinates are</source>
+        <translation>il n&apos;appartient à aucun produit du fichier et est lu comme corps là où sont ses coordonnées</translation>
+    </message>
+    <message>
+        <source>is not a file name</source>
+        <translation>n&apos;est pas un nom de fichier</translation>
+    </message>
+    <message>
+        <source>is outside its folder</source>
+        <translation>est hors de son dossier</translation>
+    </message>
+    <message>
+        <source>is not there</source>
+        <translation>n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>is not a STEP file</source>
+        <translation>n&apos;est pas un fichier STEP</translation>
+    </message>
+    <message>
+        <source>is the name of several parts</source>
+        <translation>est le nom de plusieurs pièces</translation>
+    </message>
+    <message>
+        <source>Give the whole name: %1.</source>
+        <translation>Donnez le nom entier : %1.</translation>
+    </message>
+    <message>
+        <source>is not in the file</source>
+        <translation>n&apos;est pas dans le fichier</translation>
+    </message>
+    <message>
+        <source>The file holds one part: leave out the name.</source>
+        <translation>Le fichier contient une seule pièce : omettez le nom.</translation>
+    </message>
+    <message>
+        <source>It holds: %1.</source>
+        <translation>Il contient : %1.</translation>
+    </message>
+    <message>
+        <source>#%1 is there twice</source>
+        <translation>#%1 y est deux fois</translation>
+    </message>
+    <message>
+        <source>%1 refers to #%2, which is not in the file</source>
+        <translation>%1 renvoie à #%2, qui n&apos;est pas dans le fichier</translation>
+    </message>
+    <message>
+        <source>%1 refers to %2, which refers back to it</source>
+        <translation>%1 renvoie à %2, qui renvoie à lui</translation>
+    </message>
+    <message>
+        <source>it is taken for a second representation of a solid of its size and is left out</source>
+        <translation>il est pris pour une seconde représentation d&apos;un solide de sa taille et est ignoré</translation>
+    </message>
+    <message>
+        <source>is no solid: its faces (%1) bound nothing, %2 of their edges are open</source>
+        <translation>n&apos;est pas un solide : ses faces (%1) ne délimitent rien, %2 de leurs arêtes sont ouvertes</translation>
+    </message>
+    <message>
+        <source>has no thickness: its faces enclose no volume</source>
+        <translation>n&apos;a pas d&apos;épaisseur : ses faces n&apos;enferment aucun volume</translation>
+    </message>
+    <message>
+        <source>has curves that lie on no face (%1): they are left out</source>
+        <translation>a des courbes qui ne sont sur aucune face (%1) : elles sont ignorées</translation>
+    </message>
+    <message>
+        <source>a list of its numbers holds something else</source>
+        <translation>une liste de ses nombres contient autre chose</translation>
+    </message>
+    <message>
+        <source>it has no triangle with three corners</source>
+        <translation>il n&apos;a aucun triangle à trois sommets</translation>
+    </message>
+    <message>
+        <source>its items are nested too deeply</source>
+        <translation>ses éléments sont imbriqués trop profondément</translation>
+    </message>
+    <message>
+        <source>%1 has too few values</source>
+        <translation>%1 a trop peu de valeurs</translation>
+    </message>
+    <message>
+        <source>its item %1 is of a kind that is not read</source>
+        <translation>son élément %1 est d&apos;une sorte qui n&apos;est pas lue</translation>
+    </message>
+    <message>
+        <source>%1 has a triangle without three corners</source>
+        <translation>%1 a un triangle sans trois sommets</translation>
+    </message>
+    <message>
+        <source>%1 has no COORDINATES_LIST</source>
+        <translation>%1 n&apos;a pas de COORDINATES_LIST</translation>
+    </message>
+    <message>
+        <source>a point of COORDINATES_LIST #%1 has no three numbers</source>
+        <translation>un point de COORDINATES_LIST n° %1 n&apos;a pas trois nombres</translation>
+    </message>
+    <message>
+        <source>%1 refers to point %2, which is not in its lists</source>
+        <translation>%1 renvoie au point %2, qui n&apos;est pas dans ses listes</translation>
+    </message>
+    <message>
+        <source>%1 has a point that is not in space</source>
+        <translation>%1 a un point qui n&apos;est pas dans l&apos;espace</translation>
+    </message>
+    <message>
+        <source>it is repositioned in a way that is not read</source>
+        <translation>il est déplacé d&apos;une manière qui n&apos;est pas lue</translation>
+    </message>
+    <message>
+        <source>a parenthesis is not closed</source>
+        <translation>une parenthèse n&apos;est pas fermée</translation>
+    </message>
+    <message>
+        <source>a parenthesis is closed that was not opened</source>
+        <translation>une parenthèse est fermée sans avoir été ouverte</translation>
+    </message>
+    <message>
+        <source>parentheses are nested more than %1 deep</source>
+        <translation>les parenthèses sont imbriquées sur plus de %1 niveaux</translation>
+    </message>
+    <message>
+        <source>a list has more than %1 values</source>
+        <translation>une liste a plus de %1 valeurs</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a value</source>
+        <translation>« %1 » n&apos;est pas une valeur</translation>
+    </message>
+    <message>
+        <source>a number has %1 characters</source>
+        <translation>un nombre a %1 caractères</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a finite number</source>
+        <translation>« %1 » n&apos;est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>ligne %1 : %2</translation>
+    </message>
+    <message>
+        <source>validation property %1</source>
+        <translation>propriété de validation %1</translation>
+    </message>
+    <message>
+        <source>its triangles enclose %1 cubic millimetres, and the file states %2: they differ by more than the deviation of the triangles explains</source>
+        <translation>ses triangles enferment %1 millimètres cubes, et le fichier indique %2 : la différence dépasse ce que l&apos;écart des triangles explique</translation>
+    </message>
+    <message>
+        <source>its triangles have %1 square millimetres, and the file states %2: they differ by more than the deviation of the triangles explains</source>
+        <translation>ses triangles couvrent %1 millimètres carrés, et le fichier indique %2 : la différence dépasse ce que l&apos;écart des triangles explique</translation>
+    </message>
+    <message>
+        <source>the centroid of its triangles is %1 mm from the one that the file states: more than the deviation of the triangles explains</source>
+        <translation>le centre de gravité de ses triangles est à %1 mm de celui que le fichier indique : plus que ce que l&apos;écart des triangles explique</translation>
+    </message>
+    <message>
+        <source>the filter of system calls cannot be loaded: %1</source>
+        <translation>le filtre des appels système ne peut pas être chargé : %1</translation>
+    </message>
+    <message>
+        <source>a SolidWorks file</source>
+        <translation>un fichier SolidWorks</translation>
+    </message>
+    <message>
+        <source>a CATIA file</source>
+        <translation>un fichier CATIA</translation>
+    </message>
+    <message>
+        <source>an Inventor file</source>
+        <translation>un fichier Inventor</translation>
+    </message>
+    <message>
+        <source>a part or an assembly of NX, Creo or Solid Edge</source>
+        <translation>une pièce ou un assemblage de NX, Creo ou Solid Edge</translation>
+    </message>
+    <message>
+        <source>a Solid Edge file</source>
+        <translation>un fichier Solid Edge</translation>
+    </message>
+    <message>
+        <source>a JT file</source>
+        <translation>un fichier JT</translation>
+    </message>
+    <message>
+        <source>a Parasolid file</source>
+        <translation>un fichier Parasolid</translation>
+    </message>
+    <message>
+        <source>an ACIS file</source>
+        <translation>un fichier ACIS</translation>
+    </message>
+    <message>
+        <source>a Fusion file</source>
+        <translation>un fichier Fusion</translation>
+    </message>
+    <message>
+        <source>a FreeCAD file</source>
+        <translation>un fichier FreeCAD</translation>
+    </message>
+    <message>
+        <source>a Rhino file</source>
+        <translation>un fichier Rhino</translation>
+    </message>
+    <message>
+        <source>an AutoCAD drawing</source>
+        <translation>un dessin AutoCAD</translation>
+    </message>
+    <message>
+        <source>a VDA-FS file</source>
+        <translation>un fichier VDA-FS</translation>
+    </message>
+    <message>
+        <source>a binary BREP file</source>
+        <translation>un fichier BREP binaire</translation>
+    </message>
+    <message>
+        <source>an OpenSCAD program</source>
+        <translation>un programme OpenSCAD</translation>
+    </message>
+    <message>
+        <source>a 3MF file</source>
+        <translation>un fichier 3MF</translation>
+    </message>
+    <message>
+        <source>an AMF file</source>
+        <translation>un fichier AMF</translation>
+    </message>
+    <message>
+        <source>a SketchUp file</source>
+        <translation>un fichier SketchUp</translation>
+    </message>
+    <message>
+        <source>a Blender file</source>
+        <translation>un fichier Blender</translation>
+    </message>
+    <message>
+        <source>an FBX file</source>
+        <translation>un fichier FBX</translation>
+    </message>
+    <message>
+        <source>a 3ds Max file</source>
+        <translation>un fichier 3ds Max</translation>
+    </message>
+    <message>
+        <source>a USD file</source>
+        <translation>un fichier USD</translation>
+    </message>
+    <message>
+        <source>a VRML or X3D file</source>
+        <translation>un fichier VRML ou X3D</translation>
+    </message>
+    <message>
+        <source>a building model (IFC)</source>
+        <translation>un modèle de bâtiment (IFC)</translation>
+    </message>
+    <message>
+        <source>STEP as XML</source>
+        <translation>du STEP en XML</translation>
+    </message>
+    <message>
+        <source>a compressed file</source>
+        <translation>un fichier compressé</translation>
+    </message>
+    <message>
+        <source>Export it as STEP (AP214 or AP242) in the program that it is from.</source>
+        <translation>Exportez-le en STEP (AP214 ou AP242) dans le programme dont il vient.</translation>
+    </message>
+    <message>
+        <source>Export it as STL, OBJ, PLY or glTF in the program that it is from.</source>
+        <translation>Exportez-le en STL, OBJ, PLY ou glTF dans le programme dont il vient.</translation>
+    </message>
+    <message>
+        <source>Unpack it, and give the file that is in it.</source>
+        <translation>Décompressez-le, et donnez le fichier qu&apos;il contient.</translation>
+    </message>
+    <message>
+        <source>is %1, which is not read</source>
+        <translation>est %1, ce qui n&apos;est pas lu</translation>
+    </message>
+    <message>
+        <source>Correct the URDF file.</source>
+        <translation>Corrigez le fichier URDF.</translation>
+    </message>
+    <message>
+        <source>has a link that is the child of two joints</source>
+        <translation>a un corps qui dépend de deux liaisons</translation>
+    </message>
+    <message>
+        <source>has more than %1 triangles</source>
+        <translation>a plus de %1 triangles</translation>
+    </message>
+    <message>
+        <source>joint &apos;%1&apos;</source>
+        <translation>liaison « %1 »</translation>
+    </message>
+    <message>
+        <source>is not fixed: only rigid bodies are read</source>
+        <translation>n&apos;est pas fixe : seuls les corps rigides sont lus</translation>
+    </message>
+    <message>
+        <source>has links that no joint connects to its root</source>
+        <translation>a des corps qu&apos;aucune liaison ne relie à sa racine</translation>
+    </message>
+    <message>
+        <source>holds no shape</source>
+        <translation>ne contient aucune forme</translation>
+    </message>
+    <message>
+        <source>link &apos;%1&apos;</source>
+        <translation>corps URDF « %1 »</translation>
+    </message>
+    <message>
+        <source>has a shape whose size is not a positive number from 1e-12 m to 1e9 m</source>
+        <translation>a une forme dont la taille n&apos;est pas un nombre positif de 1e-12 m à 1e9 m</translation>
+    </message>
+    <message>
+        <source>has an unknown shape</source>
+        <translation>a une forme inconnue</translation>
+    </message>
+    <message>
+        <source>has a mesh whose scale is not a number from 1e-12 to 1e9</source>
+        <translation>a un maillage dont l&apos;échelle n&apos;est pas un nombre de 1e-12 à 1e9</translation>
+    </message>
+    <message>
+        <source>has an origin that is not finite, or beyond 1e9 m</source>
+        <translation>a une origine qui n&apos;est pas finie ou dépasse 1e9 m</translation>
+    </message>
+    <message>
+        <source>has more than %1 links</source>
+        <translation>a plus de %1 corps</translation>
+    </message>
+    <message>
+        <source>is not a URDF file</source>
+        <translation>n&apos;est pas un fichier URDF</translation>
+    </message>
+    <message>
+        <source>has a shape that cannot be read</source>
+        <translation>a une forme qui ne peut pas être lue</translation>
+    </message>
+    <message>
+        <source>ends inside the element &apos;%1&apos;</source>
+        <translation>finit à l&apos;intérieur de l&apos;élément « %1 »</translation>
+    </message>
+    <message>
+        <source>is not valid UTF-8 text</source>
+        <translation>n&apos;est pas un texte UTF-8 valide</translation>
+    </message>
+    <message>
+        <source>a comment</source>
+        <translation>un commentaire</translation>
+    </message>
+    <message>
+        <source>a CDATA section</source>
+        <translation>une section CDATA</translation>
+    </message>
+    <message>
+        <source>has a document type, which is not read</source>
+        <translation>a un type de document, ce qui n&apos;est pas lu</translation>
+    </message>
+    <message>
+        <source>has %1 that does not end</source>
+        <translation>a %1 qui ne finit pas</translation>
+    </message>
+    <message>
+        <source>has a processing instruction that does not end with its first &apos;&gt;&apos;</source>
+        <translation>a une instruction de traitement qui ne finit pas à son premier « &gt; »</translation>
+    </message>
+    <message>
+        <source>has the end tag of an element that is not open</source>
+        <translation>a la balise de fin d&apos;un élément qui n&apos;est pas ouvert</translation>
+    </message>
+    <message>
+        <source>has a tag that does not end</source>
+        <translation>a une balise qui ne finit pas</translation>
+    </message>
+    <message>
+        <source>has more than %1 elements</source>
+        <translation>a plus de %1 éléments</translation>
+    </message>
+    <message>
+        <source>is nested too deeply (more than %1 elements)</source>
+        <translation>est trop imbriqué (plus de %1 éléments)</translation>
+    </message>
+    <message>
+        <source>has a tag that is not valid XML</source>
+        <translation>a une balise qui n&apos;est pas du XML valide</translation>
+    </message>
+    <message>
+        <source>has an element with more than %1 attributes</source>
+        <translation>a un élément avec plus de %1 attributs</translation>
+    </message>
+    <message>
+        <source>has an attribute without a value</source>
+        <translation>a un attribut sans valeur</translation>
+    </message>
+    <message>
+        <source>has an attribute whose value is not quoted</source>
+        <translation>a un attribut dont la valeur n&apos;est pas entre guillemets</translation>
+    </message>
+    <message>
+        <source>has an attribute whose value does not end</source>
+        <translation>a un attribut dont la valeur ne finit pas</translation>
+    </message>
+    <message>
+        <source>has &apos;&lt;&apos; in the value of an attribute, which XML writes as &amp;lt;</source>
+        <translation>a « &lt; » dans la valeur d&apos;un attribut, ce que XML écrit &amp;lt;</translation>
+    </message>
+    <message>
+        <source>has a tag or an attribute without a name</source>
+        <translation>a une balise ou un attribut sans nom</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>À la main</translation>
+    </message>
+    <message>
+        <source>A person: keys, 6D mouse, gamepad and the controllers of a headset together.</source>
+        <translation>Une personne : clavier, souris 6D, manette de jeu et manettes d&apos;un casque ensemble.</translation>
+    </message>
+    <message>
+        <source>A person: the keys of the window.</source>
+        <translation>Une personne : les touches de la fenêtre.</translation>
+    </message>
+    <message>
+        <source>A person: a 3Dconnexion mouse.</source>
+        <translation>Une personne : une souris 3Dconnexion.</translation>
+    </message>
+    <message>
+        <source>A person: a game controller.</source>
+        <translation>Une personne : une manette de jeu.</translation>
+    </message>
+    <message>
+        <source>A person with a headset: its left controller.</source>
+        <translation>Une personne avec un casque : sa manette gauche.</translation>
+    </message>
+    <message>
+        <source>A person with a headset: its right controller.</source>
+        <translation>Une personne avec un casque : sa manette droite.</translation>
+    </message>
+    <message>
+        <source>Simulated expert</source>
+        <translation>Expert simulé</translation>
+    </message>
+    <message>
+        <source>Follows the way-points fast and exactly.</source>
+        <translation>Suit les points de passage vite et avec précision.</translation>
+    </message>
+    <message>
+        <source>Simulated operator</source>
+        <translation>Opérateur simulé</translation>
+    </message>
+    <message>
+        <source>Follows the way-points.</source>
+        <translation>Suit les points de passage.</translation>
+    </message>
+    <message>
+        <source>Simulated novice</source>
+        <translation>Novice simulé</translation>
+    </message>
+    <message>
+        <source>Follows the way-points, slow and unsure.</source>
+        <translation>Suit les points de passage, lentement et avec hésitation.</translation>
+    </message>
+    <message>
+        <source>Simulated haptic hand</source>
+        <translation>Main haptique simulée</translation>
+    </message>
+    <message>
+        <source>Draws the object along the way-points and feels the obstacles.</source>
+        <translation>Tire l&apos;objet le long des points de passage et perçoit les obstacles.</translation>
+    </message>
+    <message>
+        <source>Shows a way at the level of a task.</source>
+        <translation>Montre un trajet au niveau de la tâche.</translation>
+    </message>
+    <message>
+        <source>reading the gamepad</source>
+        <translation>lecture de la manette</translation>
+    </message>
+    <message>
+        <source>disconnecting the gamepad</source>
+        <translation>déconnexion de la manette</translation>
+    </message>
+    <message>
+        <source>stopping the haptic device</source>
+        <translation>arrêt du périphérique haptique</translation>
+    </message>
     <message>
         <source>Standard</source>
         <translation>Standard</translation>
@@ -8058,6 +6811,3986 @@
     <message>
         <source>Flight</source>
         <translation>Vol</translation>
+    </message>
+    <message>
+        <source>reading the 6D mouse</source>
+        <translation>lecture de la souris 6D</translation>
+    </message>
+    <message>
+        <source>disconnecting the 6D mouse</source>
+        <translation>déconnexion de la souris 6D</translation>
+    </message>
+    <message>
+        <source>the workspace has no configuration outside the product</source>
+        <translation>l&apos;espace de travail n&apos;a aucune configuration hors du produit</translation>
+    </message>
+    <message>
+        <source>Widen the workspace.</source>
+        <translation>Agrandissez l&apos;espace de travail.</translation>
+    </message>
+    <message>
+        <source>no direct motion is free</source>
+        <translation>aucun mouvement direct n&apos;est libre</translation>
+    </message>
+    <message>
+        <source>Choose a planner that searches.</source>
+        <translation>Choisissez une stratégie qui cherche.</translation>
+    </message>
+    <message>
+        <source>no screw motion out of the modelled thread is free</source>
+        <translation>aucun mouvement de dévissage du filetage modélisé n&apos;est libre</translation>
+    </message>
+    <message>
+        <source>%1; no clear position was found within %2 mm</source>
+        <translation>%1 ; aucune position dégagée n&apos;a été trouvée à moins de %2 mm</translation>
+    </message>
+    <message>
+        <source>Switch fits on, put the object elsewhere, or check the parts and their unit.</source>
+        <translation>Activez les ajustements, placez l&apos;objet ailleurs, ou vérifiez les pièces et leur unité.</translation>
+    </message>
+    <message>
+        <source>the object is nearer to &apos;%1&apos; than the required clearance</source>
+        <translation>l&apos;objet est plus près de « %1 » que le jeu exigé</translation>
+    </message>
+    <message>
+        <source>the object penetrates &apos;%1&apos;</source>
+        <translation>l&apos;objet pénètre dans « %1 »</translation>
+    </message>
+    <message>
+        <source>the object touches &apos;%1&apos;</source>
+        <translation>l&apos;objet touche « %1 »</translation>
+    </message>
+    <message>
+        <source>the object overlaps &apos;%1&apos; by %2 mm</source>
+        <translation>l&apos;objet recouvre « %1 » de %2 mm</translation>
+    </message>
+    <message>
+        <source>the operation was stopped</source>
+        <translation>l&apos;opération a été arrêtée</translation>
+    </message>
+    <message>
+        <source>the path of the shrunk object could not be repaired for the full-size object</source>
+        <translation>le chemin de l&apos;objet réduit n&apos;a pas pu être adapté à l&apos;objet réel</translation>
+    </message>
+    <message>
+        <source>Start again with another seed.</source>
+        <translation>Recommencez avec une autre graine.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was not expected</source>
+        <translation>« %1 » n&apos;était pas attendu</translation>
+    </message>
+    <message>
+        <source>a text stands where a number is needed</source>
+        <translation>un texte est là où il faut un nombre</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;, a text, stands where a number is needed</source>
+        <translation>« %1 », un texte, est là où il faut un nombre</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is missing</source>
+        <translation>« %1 » manque</translation>
+    </message>
+    <message>
+        <source>the rule ends too early</source>
+        <translation>la règle finit trop tôt</translation>
+    </message>
+    <message>
+        <source>a text is not closed</source>
+        <translation>un texte n&apos;est pas fermé</translation>
+    </message>
+    <message>
+        <source>the name &apos;%1&apos; is unknown</source>
+        <translation>le nom « %1 » est inconnu</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has the wrong number of arguments</source>
+        <translation>« %1 » n&apos;a pas le bon nombre d&apos;arguments</translation>
+    </message>
+    <message>
+        <source>the rule is nested too deeply</source>
+        <translation>la règle est trop imbriquée</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>colonne %1</translation>
+    </message>
+    <message>
+        <source>the rule is too long</source>
+        <translation>la règle est trop longue</translation>
+    </message>
+    <message>
+        <source>Use at most %1 characters.</source>
+        <translation>Utilisez au plus %1 caractères.</translation>
+    </message>
+    <message>
+        <source>Correct the rule: %1</source>
+        <translation>Corrigez la règle : %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>there is no local planner &apos;%1&apos;</source>
+        <translation>il n&apos;y a pas de planificateur local « %1 »</translation>
+    </message>
+    <message>
+        <source>has no last rule that always holds</source>
+        <translation>n&apos;a pas de dernière règle toujours vraie</translation>
+    </message>
+    <message>
+        <source>End it with {&quot;when&quot;: &quot;1&quot;, ...}.</source>
+        <translation>Terminez-la par {&quot;when&quot;: &quot;1&quot;, ...}.</translation>
+    </message>
+    <message>
+        <source>divides by zero %1</source>
+        <translation>divise par zéro %1</translation>
+    </message>
+    <message>
+        <source>gives the negative cost %1 %2</source>
+        <translation>donne le coût négatif %1 %2</translation>
+    </message>
+    <message>
+        <source>A cost is 0 or more: correct the rule %1</source>
+        <translation>Un coût vaut 0 ou plus : corrigez la règle %1</translation>
+    </message>
+    <message>
+        <source>between %1 and %2</source>
+        <translation>entre %1 et %2</translation>
+    </message>
+    <message>
+        <source>in place %1</source>
+        <translation>dans le lieu %1</translation>
+    </message>
+    <message>
+        <source>the direct way to the goal is blocked</source>
+        <translation>le trajet direct vers le but est bloqué</translation>
+    </message>
+    <message>
+        <source>the direct way to the goal is not free</source>
+        <translation>le trajet direct vers le but n&apos;est pas libre</translation>
+    </message>
+    <message>
+        <source>the topological graph has no way from start to goal</source>
+        <translation>le graphe topologique n&apos;a aucun trajet du départ au but</translation>
+    </message>
+    <message>
+        <source>%1; forbidden: %2</source>
+        <translation>%1 ; interdits : %2</translation>
+    </message>
+    <message>
+        <source>%1; of infinite cost by the rules: %2</source>
+        <translation>%1 ; de coût infini d&apos;après les règles : %2</translation>
+    </message>
+    <message>
+        <source>Check the semantic attributes of the places, or use strategy G.</source>
+        <translation>Vérifiez les attributs sémantiques des lieux, ou prenez la stratégie G.</translation>
+    </message>
+    <message>
+        <source>no free milestone in border %1</source>
+        <translation>pas de jalon libre dans la frontière %1</translation>
+    </message>
+    <message>
+        <source>%1; crossed before</source>
+        <translation>%1 ; déjà traversé</translation>
+    </message>
+    <message>
+        <source>place %1 was not crossed</source>
+        <translation>le lieu %1 n&apos;a pas été traversé</translation>
+    </message>
+    <message>
+        <source>Change the semantic attributes, or use the strategy Layers (gts).</source>
+        <translation>Changez les attributs sémantiques, ou prenez la stratégie Couches (gts).</translation>
+    </message>
+    <message>
+        <source>searched from start to goal after the coarse paths</source>
+        <translation>recherche du départ au but après les chemins grossiers</translation>
+    </message>
+    <message>
+        <source>Allow one of these places again, or raise the samples a step.</source>
+        <translation>Autorisez de nouveau un de ces lieux, ou augmentez les échantillons par étape.</translation>
+    </message>
+    <message>
+        <source>the steps together cannot be certified</source>
+        <translation>les étapes ensemble ne peuvent pas être certifiées</translation>
+    </message>
+    <message>
+        <source>Please report it with the scenario and the seed.</source>
+        <translation>Signalez-le avec le scénario et la graine.</translation>
+    </message>
+    <message>
+        <source>geometrical planner, then %1</source>
+        <translation>planificateur géométrique, puis %1</translation>
+    </message>
+    <message>
+        <source>a straight crossing fits, so linear</source>
+        <translation>une traversée rectiligne convient, donc linear</translation>
+    </message>
+    <message>
+        <source>complexity %1, cluttered, so %2</source>
+        <translation>complexité %1, encombré, donc %2</translation>
+    </message>
+    <message>
+        <source>complexity %1, so %2</source>
+        <translation>complexité %1, donc %2</translation>
+    </message>
+    <message>
+        <source>%1; blocked, so %2</source>
+        <translation>%1 ; bloqué, donc %2</translation>
+    </message>
+    <message>
+        <source>preparing OMPL&apos;s planner</source>
+        <translation>préparation du planificateur d&apos;OMPL</translation>
+    </message>
+    <message>
+        <source>OMPL&apos;s planners need a free goal within the bounds, and there is none</source>
+        <translation>les planificateurs d&apos;OMPL ont besoin d&apos;un but libre dans les bornes, et il n&apos;y en a pas</translation>
+    </message>
+    <message>
+        <source>Widen the bounds, or give another goal.</source>
+        <translation>Élargissez les bornes, ou donnez un autre but.</translation>
+    </message>
+    <message>
+        <source>Choose another planner.</source>
+        <translation>Choisissez une autre stratégie.</translation>
+    </message>
+    <message>
+        <source>planning with OMPL</source>
+        <translation>planification avec OMPL</translation>
+    </message>
+    <message>
+        <source>reading OMPL&apos;s roadmap</source>
+        <translation>lecture du graphe d&apos;OMPL</translation>
+    </message>
+    <message>
+        <source>OMPL&apos;s planner was given no free start within the bounds</source>
+        <translation>le planificateur d&apos;OMPL n&apos;a pas de départ libre dans les bornes</translation>
+    </message>
+    <message>
+        <source>Widen the bounds.</source>
+        <translation>Élargissez les bornes.</translation>
+    </message>
+    <message>
+        <source>OMPL&apos;s path is not certified: it touches or passes through an obstacle</source>
+        <translation>le chemin d&apos;OMPL n&apos;est pas certifié : il touche ou traverse un obstacle</translation>
+    </message>
+    <message>
+        <source>Lower %1, or plan with &apos;auto&apos;.</source>
+        <translation>Réduisez %1, ou planifiez avec « auto ».</translation>
+    </message>
+    <message>
+        <source>Interactive with contact (paper)</source>
+        <translation>Interactif avec contact (article)</translation>
+    </message>
+    <message>
+        <source>You steer the object and the computer searches with you; near an obstacle the object slides on it (Blin et al. 2016, Algorithm 1).</source>
+        <translation>Vous guidez l&apos;objet et l&apos;ordinateur cherche avec vous ; près d&apos;un obstacle, l&apos;objet glisse dessus (Blin et al. 2016, algorithme 1).</translation>
+    </message>
+    <message>
+        <source>Two trees, without you</source>
+        <translation>Deux arbres, sans vous</translation>
+    </message>
+    <message>
+        <source>The computer alone: the same planner with an authority of 1.</source>
+        <translation>L&apos;ordinateur seul : le même planificateur avec une autorité de 1.</translation>
+    </message>
+    <message>
+        <source>Two trees of OMPL (RRT-Connect)</source>
+        <translation>Deux arbres d&apos;OMPL (RRT-Connect)</translation>
+    </message>
+    <message>
+        <source>Two trees that grow towards each other (Kuffner and LaValle 2000).</source>
+        <translation>Deux arbres qui croissent l&apos;un vers l&apos;autre (Kuffner et LaValle 2000).</translation>
+    </message>
+    <message>
+        <source>Cells explored, of OMPL (BKPIECE)</source>
+        <translation>Cellules explorées, d&apos;OMPL (BKPIECE)</translation>
+    </message>
+    <message>
+        <source>Two trees that grow from the border of the cells explored (Sucan and Kavraki 2009).</source>
+        <translation>Deux arbres qui croissent depuis le bord des cellules explorées (Sucan et Kavraki 2009).</translation>
+    </message>
+    <message>
+        <source>Roadmap of OMPL (PRM)</source>
+        <translation>Graphe d&apos;OMPL (PRM)</translation>
+    </message>
+    <message>
+        <source>A roadmap of the whole space (Kavraki et al. 1996).</source>
+        <translation>Un graphe de tout l&apos;espace (Kavraki et al. 1996).</translation>
+    </message>
+    <message>
+        <source>One tree of OMPL (EST)</source>
+        <translation>Un arbre d&apos;OMPL (EST)</translation>
+    </message>
+    <message>
+        <source>One tree that grows where it is sparse (Hsu et al. 1999).</source>
+        <translation>Un arbre qui croît là où il est peu dense (Hsu et al. 1999).</translation>
+    </message>
+    <message>
+        <source>For comparison: unmodified %1</source>
+        <translation>Pour comparer : %1 non modifié</translation>
+    </message>
+    <message>
+        <source>%1 as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
+        <translation>%1 tel que l&apos;emploient les utilisateurs d&apos;OMPL : collisions par FCL, arêtes vérifiées par points ; le premier chemin est jugé par notre certificat.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>Several planners work side by side; those that make progress get more time. No settings are needed.</source>
+        <translation>Plusieurs planificateurs travaillent en parallèle ; ceux qui progressent reçoivent plus de temps. Aucun réglage n&apos;est nécessaire.</translation>
+    </message>
+    <message>
+        <source>Interactive</source>
+        <translation>Interactif</translation>
+    </message>
+    <message>
+        <source>You steer the object, and the automatic planners search along the way that you show. Without your hand it is the automatic strategy.</source>
+        <translation>Vous guidez l&apos;objet, et les planificateurs automatiques cherchent le long du trajet que vous montrez. Sans votre main, c&apos;est la stratégie automatique.</translation>
+    </message>
+    <message>
+        <source>Interactive without contact</source>
+        <translation>Interactive sans contact</translation>
+    </message>
+    <message>
+        <source>Operator and computer share authority, no contact sampling (Blin et al. 2016, table I).</source>
+        <translation>L&apos;opérateur et l&apos;ordinateur partagent l&apos;autorité, sans échantillons de contact (Blin et al. 2016, tableau I).</translation>
+    </message>
+    <message>
+        <source>Interactive, contact that follows</source>
+        <translation>Interactif, contact suivi</translation>
+    </message>
+    <message>
+        <source>Near an obstacle the object follows its surfaces from one contact to the next, and turns as they make it turn.</source>
+        <translation>Près d&apos;un obstacle, l&apos;objet suit ses surfaces d&apos;un contact au suivant et tourne comme elles le font tourner.</translation>
+    </message>
+    <message>
+        <source>Interactive, contact first</source>
+        <translation>Interactive, contact d&apos;abord</translation>
+    </message>
+    <message>
+        <source>As the papers&apos; software of 2016: near an obstacle contact sampling pre-empts the authority draw.</source>
+        <translation>Comme le logiciel des articles en 2016 : près d&apos;un obstacle, les échantillons de contact passent avant le tirage de l&apos;autorité.</translation>
+    </message>
+    <message>
+        <source>One tree (G)</source>
+        <translation>Un arbre (G)</translation>
+    </message>
+    <message>
+        <source>One RRT in the whole workspace (Cailhol et al. 2019, section 6.1).</source>
+        <translation>Un RRT dans tout l&apos;espace de travail (Cailhol et al. 2019, section 6.1).</translation>
+    </message>
+    <message>
+        <source>Shortest way through places (GT)</source>
+        <translation>Plus court passage par les lieux (GT)</translation>
+    </message>
+    <message>
+        <source>The shortest way through the places, RRT in each of them (Cailhol et al. 2019, section 6.1).</source>
+        <translation>Le trajet le plus court à travers les lieux, un RRT dans chacun (Cailhol et al. 2019, section 6.1).</translation>
+    </message>
+    <message>
+        <source>Places: holes of the same shape (GTS1)</source>
+        <translation>Lieux : trous de même forme (GTS1)</translation>
+    </message>
+    <message>
+        <source>Holes of the object&apos;s shape and easy places first (Cailhol et al. 2019, section 6.2).</source>
+        <translation>D&apos;abord les trous de la forme de l&apos;objet et les lieux faciles (Cailhol et al. 2019, section 6.2).</translation>
+    </message>
+    <message>
+        <source>Places: holes that fit (GTS2)</source>
+        <translation>Lieux : trous qui conviennent (GTS2)</translation>
+    </message>
+    <message>
+        <source>Holes that the object fits and easy places first (Cailhol et al. 2019, section 6.2, table 1).</source>
+        <translation>D&apos;abord les trous où l&apos;objet passe et les lieux faciles (Cailhol et al. 2019, section 6.2, tableau 1).</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Couches</translation>
+    </message>
+    <message>
+        <source>Geometry, places and semantics (GTS): the object goes through the passages that it fits best, and takes the next best way where one fails.</source>
+        <translation>Géométrie, lieux et sémantique (GTS) : l&apos;objet prend les passages qui lui conviennent le mieux, et le meilleur trajet suivant quand l&apos;un échoue.</translation>
+    </message>
+    <message>
+        <source>Places: own rules</source>
+        <translation>Lieux : règles propres</translation>
+    </message>
+    <message>
+        <source>The rules of the scenario.</source>
+        <translation>Les règles du scénario.</translation>
+    </message>
+    <message>
+        <source>Linear interpolation</source>
+        <translation>Interpolation linéaire</translation>
+    </message>
+    <message>
+        <source>The straight motion, where it is free.</source>
+        <translation>Le mouvement rectiligne, là où il est libre.</translation>
+    </message>
+    <message>
+        <source>One tree (LaValle 1998).</source>
+        <translation>Un seul arbre (LaValle 1998).</translation>
+    </message>
+    <message>
+        <source>Potential field</source>
+        <translation>Champ de potentiel</translation>
+    </message>
+    <message>
+        <source>Down the slope to the goal (Khatib 1985).</source>
+        <translation>Descente du gradient vers le but (Khatib 1985).</translation>
+    </message>
+    <message>
+        <source>strategy G found no path within its limit of samples</source>
+        <translation>la stratégie G n&apos;a trouvé aucun chemin dans sa limite d&apos;échantillons</translation>
+    </message>
+    <message>
+        <source>Raise --global-samples, or use the strategy Layers (gts).</source>
+        <translation>Augmentez --global-samples, ou prenez la stratégie Couches (gts).</translation>
+    </message>
+    <message>
+        <source>the object is in the thread of %1, which would turn with it</source>
+        <translation>l&apos;objet est dans le filetage de %1, qui tournerait avec lui</translation>
+    </message>
+    <message>
+        <source>the object is in the threads of %1, which no turn leaves at the same time: their axes or pitches differ</source>
+        <translation>l&apos;objet est dans les filetages de %1, qu&apos;aucune rotation ne dévisse en même temps : leurs axes ou leurs pas diffèrent</translation>
+    </message>
+    <message>
+        <source>it has no room</source>
+        <translation>il n&apos;a pas la place</translation>
+    </message>
+    <message>
+        <source>%1 is in the way</source>
+        <translation>%1 fait obstacle</translation>
+    </message>
+    <message>
+        <source>the object cannot be turned out of the thread of %1, because %2</source>
+        <translation>l&apos;objet ne peut pas être dévissé du filetage de %1 : %2</translation>
+    </message>
+    <message>
+        <source>Remove what is named first, or change the thread.</source>
+        <translation>Retirez d&apos;abord ce qui est nommé, ou changez le filetage.</translation>
+    </message>
+    <message>
+        <source>the path through the threads could not be certified</source>
+        <translation>le chemin à travers les filetages n&apos;a pas pu être certifié</translation>
+    </message>
+    <message>
+        <source>Require less clearance.</source>
+        <translation>Exigez moins de jeu.</translation>
+    </message>
+    <message>
+        <source>fill the same place (%1 % of the larger one): they may be variants of one part</source>
+        <translation>remplissent la même place (%1 % du plus grand) : ce sont peut-être des variantes d&apos;une même pièce</translation>
+    </message>
+    <message>
+        <source>Leave one out (--without %1).</source>
+        <translation>Écartez-en un (--without %1).</translation>
+    </message>
+    <message>
+        <source>screw</source>
+        <translation>vis</translation>
+    </message>
+    <message>
+        <source>set screw</source>
+        <translation>vis sans tête</translation>
+    </message>
+    <message>
+        <source>nut</source>
+        <translation>écrou</translation>
+    </message>
+    <message>
+        <source>washer</source>
+        <translation>rondelle</translation>
+    </message>
+    <message>
+        <source>insert</source>
+        <translation>insert</translation>
+    </message>
+    <message>
+        <source>pin</source>
+        <translation>goupille</translation>
+    </message>
+    <message>
+        <source>bearing</source>
+        <translation>roulement</translation>
+    </message>
+    <message>
+        <source>retaining ring</source>
+        <translation>anneau élastique</translation>
+    </message>
+    <message>
+        <source>belt</source>
+        <translation>courroie</translation>
+    </message>
+    <message>
+        <source>seal</source>
+        <translation>joint d&apos;étanchéité</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; names a standard that is not known</source>
+        <translation>« %1 » nomme une norme inconnue</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no designation of a standard part that is known</source>
+        <translation>« %1 » n&apos;est la désignation d&apos;aucune pièce normalisée connue</translation>
+    </message>
+    <message>
+        <source>Give one as &apos;ISO 4762 M3x8&apos;, &apos;DIN 934 M5&apos; or &apos;M3x8 SHCS&apos;.</source>
+        <translation>Donnez-la comme « ISO 4762 M3x8 », « DIN 934 M5 » ou « M3x8 SHCS ».</translation>
+    </message>
+    <message>
+        <source>clearance</source>
+        <translation>jeu</translation>
+    </message>
+    <message>
+        <source>planar</source>
+        <translation>plan</translation>
+    </message>
+    <message>
+        <source>cylindrical</source>
+        <translation>cylindrique</translation>
+    </message>
+    <message>
+        <source>thread</source>
+        <translation>filetage</translation>
+    </message>
+    <message>
+        <source>press</source>
+        <translation>serrage</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>recouvrement</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>contact</translation>
+    </message>
+    <message>
+        <source>clash</source>
+        <translation>interférence</translation>
+    </message>
+    <message>
+        <source>%1 taken %2 thinner in the tapped hole of %3 (%4)</source>
+        <translation>%1 amincie de %2 dans le trou taraudé de %3 (%4)</translation>
+    </message>
+    <message>
+        <source>%1 taken %2 thinner in the hole of %3 (%4)</source>
+        <translation>%1 amincie de %2 dans le trou de %3 (%4)</translation>
+    </message>
+    <message>
+        <source>%1 taken %2 thinner on the thread of %3 (%4)</source>
+        <translation>%1 amincie de %2 sur le filetage de %3 (%4)</translation>
+    </message>
+    <message>
+        <source>%1 taken %2 thinner on the shaft of %3 (%4)</source>
+        <translation>%1 amincie de %2 sur l&apos;arbre de %3 (%4)</translation>
+    </message>
+    <message>
+        <source>%1 taken %2 thinner against %3 (%4)</source>
+        <translation>%1 amincie de %2 face à %3 (%4)</translation>
+    </message>
+    <message>
+        <source>%1 taken without what its screw %2 fills (no hole in the file)</source>
+        <translation>%1 sans ce que sa vis %2 remplit (aucun trou dans le fichier)</translation>
+    </message>
+    <message>
+        <source>%1 taken without what overlaps %2, up to %3 deep (accepted clash)</source>
+        <translation>%1 sans ce qui pénètre dans %2, jusqu&apos;à %3 de profondeur (collision acceptée)</translation>
+    </message>
+    <message>
+        <source>%1, as a person allows</source>
+        <translation>%1, comme une personne le permet</translation>
+    </message>
+    <message>
+        <source>%1, pitch %2</source>
+        <translation>%1, pas %2</translation>
+    </message>
+    <message>
+        <source>%1, pitch %2 (ISO coarse, %3)</source>
+        <translation>%1, pas %2 (pas gros ISO, %3)</translation>
+    </message>
+    <message>
+        <source>%1, %2 turns</source>
+        <translation>%1, %2 tours</translation>
+    </message>
+    <message>
+        <source>fit so that one of them would have to be taken %1 thinner, which the local thickness or the shape of neither gives: it counts as a clash</source>
+        <translation>s&apos;ajustent de telle sorte que l&apos;un des deux devrait être aminci de %1, ce que ni leur épaisseur locale ni leur forme ne permettent : c&apos;est une collision</translation>
+    </message>
+    <message>
+        <source>fit so that one of them would have to be taken %1 thinner, which the local thickness or the shape of neither gives, and the surface of one is open %2 from the contact, so that what is inside it there is not known: it counts as a clash</source>
+        <translation>s&apos;ajustent de telle sorte que l&apos;un des deux devrait être aminci de %1, ce que ni leur épaisseur locale ni leur forme ne permettent, et la surface de l&apos;un est ouverte à %2 du contact, de sorte que son intérieur n&apos;y est pas connu : c&apos;est une collision</translation>
+    </message>
+    <message>
+        <source>touch where neither can be taken thinner: the surfaces are open %1 and %2 from the contact, so that what is inside them there is not known</source>
+        <translation>se touchent là où aucun des deux ne peut être aminci : leurs surfaces sont ouvertes à %1 et %2 du contact, et l&apos;intérieur n&apos;y est donc pas connu</translation>
+    </message>
+    <message>
+        <source>was stopped while fits were searched</source>
+        <translation>a été arrêté pendant la recherche des ajustements</translation>
+    </message>
+    <message>
+        <source>overlap by %1 without being a fit, a thread or a press</source>
+        <translation>se recouvrent de %1 sans être ni un ajustement, ni un filetage, ni un emmanchement</translation>
+    </message>
+    <message>
+        <source>Mend the parts, or say what kind of fit they are.</source>
+        <translation>Corrigez les pièces, ou dites quel type d&apos;ajustement elles forment.</translation>
+    </message>
+    <message>
+        <source>%1 more pairs overlap in the same way</source>
+        <translation>%1 autres paires se recouvrent de la même façon</translation>
+    </message>
+    <message>
+        <source>See &apos;glissade-cli fits&apos; for all of them.</source>
+        <translation>Voyez « glissade-cli fits » pour les connaître toutes.</translation>
+    </message>
+    <message>
+        <source>dissolved</source>
+        <translation>supprimée</translation>
+    </message>
+    <message>
+        <source>there is no body &apos;%1&apos;</source>
+        <translation>il n&apos;y a pas de corps &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>Name bodies by the ids that &apos;joints --json&apos; prints.</source>
+        <translation>Nommez les corps par les identifiants que &apos;joints --json&apos; affiche.</translation>
+    </message>
+    <message>
+        <source>it names a body twice</source>
+        <translation>elle nomme deux fois un corps</translation>
+    </message>
+    <message>
+        <source>Name each body of a joint once.</source>
+        <translation>Nommez une seule fois chaque corps d&apos;une liaison.</translation>
+    </message>
+    <message>
+        <source>there is no such joint that could be %1</source>
+        <translation>il n&apos;y a pas de telle liaison qui puisse être %1</translation>
+    </message>
+    <message>
+        <source>&apos;glissade-cli joints&apos; lists those that are found; &apos;made&apos; makes one.</source>
+        <translation>« glissade-cli joints » énumère celles qui sont trouvées ; « made » en crée une.</translation>
+    </message>
+    <message>
+        <source>confirmed</source>
+        <translation>confirmée</translation>
+    </message>
+    <message>
+        <source>only an insert is pressed out</source>
+        <translation>seul un insert se chasse</translation>
+    </message>
+    <message>
+        <source>Dissolve the joint, or say &apos;opened&apos; of a unit.</source>
+        <translation>Supprimez la liaison, ou dites &apos;opened&apos; d&apos;une unité.</translation>
+    </message>
+    <message>
+        <source>pressed out</source>
+        <translation>chassée</translation>
+    </message>
+    <message>
+        <source>a person says that it is pressed out</source>
+        <translation>une personne dit qu&apos;il se chasse</translation>
+    </message>
+    <message>
+        <source>only a unit is opened</source>
+        <translation>seule une unité s&apos;ouvre</translation>
+    </message>
+    <message>
+        <source>Dissolve the joint.</source>
+        <translation>Supprimez la liaison.</translation>
+    </message>
+    <message>
+        <source>opened</source>
+        <translation>ouverte</translation>
+    </message>
+    <message>
+        <source>it has one body only</source>
+        <translation>elle n&apos;a qu&apos;un corps</translation>
+    </message>
+    <message>
+        <source>Name what it is joined with in &apos;others&apos;.</source>
+        <translation>Nommez dans &apos;others&apos; ce à quoi il est lié.</translation>
+    </message>
+    <message>
+        <source>its thread is not stated</source>
+        <translation>son filet n&apos;est pas indiqué</translation>
+    </message>
+    <message>
+        <source>Give &apos;thread&apos; with diameter, pitch and engaged length.</source>
+        <translation>Donnez &apos;thread&apos; avec le diamètre, le pas et la longueur engagée.</translation>
+    </message>
+    <message>
+        <source>a person says so</source>
+        <translation>une personne le dit</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is far from &apos;%2&apos;</source>
+        <translation>&apos;%1&apos; est loin de &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>Join bodies that touch, or nearly do.</source>
+        <translation>Liez des corps qui se touchent, ou presque.</translation>
+    </message>
+    <message>
+        <source>only a snap bends</source>
+        <translation>seul un clip fléchit</translation>
+    </message>
+    <message>
+        <source>Remove &apos;bend_m&apos;.</source>
+        <translation>Supprimez &apos;bend_m&apos;.</translation>
+    </message>
+    <message>
+        <source>a hook does not bend by %1</source>
+        <translation>un crochet ne fléchit pas de %1</translation>
+    </message>
+    <message>
+        <source>Give 0 to %1 for this body.</source>
+        <translation>Donnez de 0 à %1 pour ce corps.</translation>
+    </message>
+    <message>
+        <source>screw of %1</source>
+        <translation>vis de %1</translation>
+    </message>
+    <message>
+        <source>nut of %1</source>
+        <translation>écrou de %1</translation>
+    </message>
+    <message>
+        <source>thread of %1</source>
+        <translation>filetage de %1</translation>
+    </message>
+    <message>
+        <source>insert of %1</source>
+        <translation>insert de %1</translation>
+    </message>
+    <message>
+        <source>pin of %1</source>
+        <translation>goupille de %1</translation>
+    </message>
+    <message>
+        <source>snap of %1</source>
+        <translation>clip de %1</translation>
+    </message>
+    <message>
+        <source>flexible of %1</source>
+        <translation>liaison souple de %1</translation>
+    </message>
+    <message>
+        <source>permanent of %1</source>
+        <translation>liaison permanente de %1</translation>
+    </message>
+    <message>
+        <source>unit of %1</source>
+        <translation>unité de %1</translation>
+    </message>
+    <message>
+        <source>joints hold each other in a circle: %1</source>
+        <translation>des liaisons se tiennent en cercle : %1</translation>
+    </message>
+    <message>
+        <source>Dissolve or change one of them.</source>
+        <translation>Supprimez ou changez l&apos;une d&apos;elles.</translation>
+    </message>
+    <message>
+        <source>the name says a thread of %1, the shape is %2</source>
+        <translation>le nom dit un filetage de %1, la forme a %2</translation>
+    </message>
+    <message>
+        <source>the name says a left-hand thread, the shape is a right-hand one</source>
+        <translation>le nom indique un filetage à gauche, la forme est à droite</translation>
+    </message>
+    <message>
+        <source>the name says a left-hand thread</source>
+        <translation>le nom indique un filetage à gauche</translation>
+    </message>
+    <message>
+        <source>the drive is that of the name</source>
+        <translation>l&apos;empreinte est celle du nom</translation>
+    </message>
+    <message>
+        <source>the name says the drive &apos;%1&apos;, the shape is &apos;%2&apos;</source>
+        <translation>le nom dit l&apos;empreinte « %1 », la forme a « %2 »</translation>
+    </message>
+    <message>
+        <source>the name says a drive of %1, the shape has %2</source>
+        <translation>le nom dit une empreinte de %1, la forme a %2</translation>
+    </message>
+    <message>
+        <source>the name says &apos;%1&apos;</source>
+        <translation>le nom dit « %1 »</translation>
+    </message>
+    <message>
+        <source>the head has the proportions of ISO 4762</source>
+        <translation>la tête a les proportions de l&apos;ISO 4762</translation>
+    </message>
+    <message>
+        <source>the sizes do not agree: a shaft of %1 in a nut %2</source>
+        <translation>les tailles ne concordent pas : un fût de %1 dans un écrou %2</translation>
+    </message>
+    <message>
+        <source>the shaft is thicker than the hole</source>
+        <translation>le fût est plus gros que le trou</translation>
+    </message>
+    <message>
+        <source>the name says that it is a nut</source>
+        <translation>le nom dit que c&apos;est un écrou</translation>
+    </message>
+    <message>
+        <source>it has the width of a nut %1</source>
+        <translation>il a la largeur d&apos;un écrou %1</translation>
+    </message>
+    <message>
+        <source>allows for &apos;%1&apos; and &apos;%2&apos;, which do not touch where they are assembled</source>
+        <translation>donne un amincissement à « %1 » et « %2 », qui ne se touchent pas en position assemblée</translation>
+    </message>
+    <message>
+        <source>Remove the allowance.</source>
+        <translation>Supprimez l&apos;amincissement.</translation>
+    </message>
+    <message>
+        <source>allows %1, more than the thickness of &apos;%2&apos; or of &apos;%3&apos; gives</source>
+        <translation>admet %1, plus que n&apos;en permet l&apos;épaisseur de « %2 » ou de « %3 »</translation>
+    </message>
+    <message>
+        <source>Give at most %1.</source>
+        <translation>Donnez au plus %1.</translation>
+    </message>
+    <message>
+        <source>calls &apos;%1&apos; and &apos;%2&apos; a thread, but no shaft of the one is on the axis of a hole of the other</source>
+        <translation>donne « %1 » et « %2 » pour un filetage, mais aucun arbre de l&apos;un n&apos;est sur l&apos;axe d&apos;un alésage de l&apos;autre</translation>
+    </message>
+    <message>
+        <source>Give another kind.</source>
+        <translation>Donnez un autre type.</translation>
+    </message>
+    <message>
+        <source>overlap by %1, and which of the two is cut is not clear</source>
+        <translation>se recouvrent de %1, et on ne sait pas lequel des deux est découpé</translation>
+    </message>
+    <message>
+        <source>overlap by %1, and neither can be cut and stay in one piece</source>
+        <translation>se recouvrent de %1, et aucun des deux ne peut être découpé et rester d&apos;un seul tenant</translation>
+    </message>
+    <message>
+        <source>Name the one that is cut (--cut NAME), or mend the parts.</source>
+        <translation>Nommez celui qui est découpé (--cut NAME), ou corrigez les pièces.</translation>
+    </message>
+    <message>
+        <source>Mend the parts.</source>
+        <translation>Corrigez les pièces.</translation>
+    </message>
+    <message>
+        <source>overlap by %1, because the insert is pressed or melted in</source>
+        <translation>se recouvrent de %1, car l&apos;insert est pressé ou fondu dans la pièce</translation>
+    </message>
+    <message>
+        <source>It leaves with its host. To press it out, accept the clash (--accept-clashes %1) and say so of the joint.</source>
+        <translation>Il sort avec sa pièce. Pour l&apos;en extraire, acceptez la collision (--accept-clashes %1) et dites-le de la liaison.</translation>
+    </message>
+    <message>
+        <source>overlap by %1, which is a clash</source>
+        <translation>se recouvrent de %1, ce qui est une collision</translation>
+    </message>
+    <message>
+        <source>Accept it (--accept-clashes %1), or mend the parts.</source>
+        <translation>Acceptez-la (--accept-clashes %1), ou corrigez les pièces.</translation>
+    </message>
+    <message>
+        <source>Close the surface of one of them.</source>
+        <translation>Fermez la surface de l&apos;un des deux.</translation>
+    </message>
+    <message>
+        <source>a ring in a hole</source>
+        <translation>une bague dans un trou</translation>
+    </message>
+    <message>
+        <source>a thread is in it</source>
+        <translation>un filetage s&apos;y trouve</translation>
+    </message>
+    <message>
+        <source>a pin in a hole</source>
+        <translation>une goupille dans un trou</translation>
+    </message>
+    <message>
+        <source>it is thicker by as much as a thread</source>
+        <translation>il est plus gros d&apos;autant qu&apos;un filetage</translation>
+    </message>
+    <message>
+        <source>a shaft of %1 in a hole</source>
+        <translation>un arbre de %1 dans un trou</translation>
+    </message>
+    <message>
+        <source>it is %1 thicker than its hole</source>
+        <translation>plus gros de %1 que son trou</translation>
+    </message>
+    <message>
+        <source>it is as wide as its hole</source>
+        <translation>aussi large que son trou</translation>
+    </message>
+    <message>
+        <source>two rings with %1 balls between them</source>
+        <translation>deux bagues séparées par %1 billes</translation>
+    </message>
+    <message>
+        <source>two rings with %1 rollers between them</source>
+        <translation>deux bagues séparées par %1 rouleaux</translation>
+    </message>
+    <message>
+        <source>a helix is modelled on it</source>
+        <translation>une hélice y est modélisée</translation>
+    </message>
+    <message>
+        <source>the assembly is called &apos;%1&apos;</source>
+        <translation>l&apos;assemblage s&apos;appelle « %1 »</translation>
+    </message>
+    <message>
+        <source>its class is &apos;%1&apos;</source>
+        <translation>sa classe est « %1 »</translation>
+    </message>
+    <message>
+        <source>it is a ring of round section</source>
+        <translation>c&apos;est un anneau de section ronde</translation>
+    </message>
+    <message>
+        <source>its hooks bend by %1 when it leaves along a line</source>
+        <translation>ses crochets fléchissent de %1 quand il part en ligne droite</translation>
+    </message>
+    <message>
+        <source>a nut is on the shaft</source>
+        <translation>un écrou est sur le fût</translation>
+    </message>
+    <message>
+        <source>the hole is as wide as the shaft, and the farthest from the head</source>
+        <translation>le trou est aussi large que le fût, et le plus éloigné de la tête</translation>
+    </message>
+    <message>
+        <source>the hole is the narrowest, and the farthest from the head</source>
+        <translation>le trou est le plus étroit, et le plus éloigné de la tête</translation>
+    </message>
+    <message>
+        <source>a shaft of %1 with a head</source>
+        <translation>un fût de %1 avec une tête</translation>
+    </message>
+    <message>
+        <source>a shaft of %1 with a recess</source>
+        <translation>un fût de %1 avec une empreinte</translation>
+    </message>
+    <message>
+        <source>the file has no hole there, so the screw makes it</source>
+        <translation>le fichier n&apos;a pas de trou à cet endroit : la vis le fait</translation>
+    </message>
+    <message>
+        <source>the nut is free to be turned</source>
+        <translation>l&apos;écrou peut tourner librement</translation>
+    </message>
+    <message>
+        <source>a nut with a hole of %1</source>
+        <translation>un écrou avec un trou de %1</translation>
+    </message>
+    <message>
+        <source>a shaft of %1 is %2 thicker than the hole around it, as a thread is</source>
+        <translation>un axe de %1, plus gros de %2 que le trou qui l&apos;entoure, comme un filetage</translation>
+    </message>
+    <message>
+        <source>neither body is a screw or a nut by its shape</source>
+        <translation>aucun des deux corps n&apos;a la forme d&apos;une vis ou d&apos;un écrou</translation>
+    </message>
+    <message>
+        <source>there is no such body</source>
+        <translation>ce corps n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>Choose one of the scene panel.</source>
+        <translation>Choisissez-en un dans le panneau Scène.</translation>
+    </message>
+    <message>
+        <source>this is not a position in space</source>
+        <translation>ce n&apos;est pas une position dans l&apos;espace</translation>
+    </message>
+    <message>
+        <source>Give finite numbers.</source>
+        <translation>Donnez des nombres finis.</translation>
+    </message>
+    <message>
+        <source>is what moves</source>
+        <translation>est ce qui bouge</translation>
+    </message>
+    <message>
+        <source>Choose another object first.</source>
+        <translation>Choisissez d&apos;abord un autre objet.</translation>
+    </message>
+    <message>
+        <source>the goal is &quot;out&quot;, which has no position</source>
+        <translation>le but est « dehors », qui n&apos;a pas de position</translation>
+    </message>
+    <message>
+        <source>Give the goal a position first.</source>
+        <translation>Donnez d&apos;abord une position au but.</translation>
+    </message>
+    <message>
+        <source>no body is chosen</source>
+        <translation>aucun corps n&apos;est choisi</translation>
+    </message>
+    <message>
+        <source>Choose what moves.</source>
+        <translation>Choisissez ce qui bouge.</translation>
+    </message>
+    <message>
+        <source>this is the object already</source>
+        <translation>c&apos;est déjà l&apos;objet</translation>
+    </message>
+    <message>
+        <source>Choose other bodies.</source>
+        <translation>Choisissez d&apos;autres corps.</translation>
+    </message>
+    <message>
+        <source>Edits are not saved automatically.</source>
+        <translation>Les modifications ne sont pas enregistrées automatiquement.</translation>
+    </message>
+    <message>
+        <source>the new file cannot be locked</source>
+        <translation>le nouveau fichier ne peut pas être verrouillé</translation>
+    </message>
+    <message>
+        <source>The edits cannot be restored.</source>
+        <translation>Les modifications ne peuvent pas être rétablies.</translation>
+    </message>
+    <message>
+        <source>is not unsaved edits of Glissade</source>
+        <translation>n&apos;est pas un fichier de modifications non enregistrées de Glissade</translation>
+    </message>
+    <message>
+        <source>is not screw, nut, washer, pin or none</source>
+        <translation>n&apos;est pas screw, nut, washer, pin ou none</translation>
+    </message>
+    <message>
+        <source>Give planar, cylindrical, thread, press, overlap, contact or clash.</source>
+        <translation>Donnez planar, cylindrical, thread, press, overlap, contact ou clash.</translation>
+    </message>
+    <message>
+        <source>has no effect, because the pair is not marked as a thread</source>
+        <translation>n&apos;a pas d&apos;effet, car la paire n&apos;est pas marquée comme filetage</translation>
+    </message>
+    <message>
+        <source>Add &quot;kind&quot;: &quot;thread&quot;, or remove it.</source>
+        <translation>Ajoutez &quot;kind&quot;: &quot;thread&quot;, ou supprimez-le.</translation>
+    </message>
+    <message>
+        <source>Name the body that is turned.</source>
+        <translation>Nommez le corps que l&apos;on tourne.</translation>
+    </message>
+    <message>
+        <source>is missing, so that the file does not say where the forbidden places are</source>
+        <translation>manque, si bien que le fichier ne dit pas où sont les lieux interdits</translation>
+    </message>
+    <message>
+        <source>is not where the forbidden places are</source>
+        <translation>n&apos;est pas là où sont les lieux interdits</translation>
+    </message>
+    <message>
+        <source>Write it with glissade-cli info --save-regions, or save the scenario in the window.</source>
+        <translation>Écrivez-le avec glissade-cli info --save-regions, ou enregistrez le scénario dans la fenêtre.</translation>
+    </message>
+    <message>
+        <source>the bodies have too many triangles for a GLB file (4 GiB)</source>
+        <translation>les corps ont trop de triangles pour un fichier GLB (4 Gio)</translation>
+    </message>
+    <message>
+        <source>Export the path in another format.</source>
+        <translation>Exportez le chemin dans un autre format.</translation>
+    </message>
+    <message>
+        <source>is several parts in one body of the scenario, of which &apos;%1&apos; cannot be moved alone</source>
+        <translation>est fait de plusieurs pièces en un seul corps du scénario, dont « %1 » ne peut pas être déplacée seule</translation>
+    </message>
+    <message>
+        <source>Make a scenario that has each part as a body: New from parts does so with STEP files.</source>
+        <translation>Faites un scénario où chaque pièce est un corps : Nouveau à partir de pièces le fait pour les fichiers STEP.</translation>
+    </message>
+    <message>
+        <source>is no word about a joint</source>
+        <translation>n&apos;est pas une parole sur une liaison</translation>
+    </message>
+    <message>
+        <source>Give confirmed, dissolved, pressed_out or opened.</source>
+        <translation>Donnez confirmed, dissolved, pressed_out ou opened.</translation>
+    </message>
+    <message>
+        <source>is not a kind of joint</source>
+        <translation>n&apos;est pas un type de liaison</translation>
+    </message>
+    <message>
+        <source>Give screw, nut, thread, insert, pin, snap, flexible, permanent or unit.</source>
+        <translation>Donnez screw, nut, thread, insert, pin, snap, flexible, permanent ou unit.</translation>
+    </message>
+    <message>
+        <source>has no length</source>
+        <translation>n&apos;a pas de longueur</translation>
+    </message>
+    <message>
+        <source>Give a direction, as [0, 0, 1].</source>
+        <translation>Donnez une direction, par exemple [0, 0, 1].</translation>
+    </message>
+    <message>
+        <source>is not a drive</source>
+        <translation>n&apos;est pas une empreinte</translation>
+    </message>
+    <message>
+        <source>Give hex, hex_socket, cross, slot, six_lobe or none.</source>
+        <translation>Donnez hex, hex_socket, cross, slot, six_lobe ou none.</translation>
+    </message>
+    <message>
+        <source>has no effect, because the joint is not confirmed</source>
+        <translation>n&apos;a pas d&apos;effet, car la liaison n&apos;est pas confirmée</translation>
+    </message>
+    <message>
+        <source>Remove it, or say &quot;confirmed&quot;.</source>
+        <translation>Supprimez-le, ou dites &quot;confirmed&quot;.</translation>
+    </message>
+    <message>
+        <source>is about a joint that was there before</source>
+        <translation>concerne une liaison déjà donnée</translation>
+    </message>
+    <message>
+        <source>Give a path, or remove it.</source>
+        <translation>Donnez un chemin, ou supprimez-le.</translation>
+    </message>
+    <message>
+        <source>is the name of a path before it</source>
+        <translation>est déjà le nom d&apos;un chemin précédent</translation>
+    </message>
+    <message>
+        <source>Give every path a name of its own.</source>
+        <translation>Donnez à chaque chemin un nom différent.</translation>
+    </message>
+    <message>
+        <source>there is no part</source>
+        <translation>il n&apos;y a aucune pièce</translation>
+    </message>
+    <message>
+        <source>Give the files of the parts.</source>
+        <translation>Donnez les fichiers des pièces.</translation>
+    </message>
+    <message>
+        <source>has a unit that is not from 1e-12 m to 1e9 m</source>
+        <translation>a une unité qui n&apos;est pas entre 1e-12 m et 1e9 m</translation>
+    </message>
+    <message>
+        <source>Give the metres in a unit of the file.</source>
+        <translation>Donnez la valeur en mètres d&apos;une unité du fichier.</translation>
+    </message>
+    <message>
+        <source>no part moves</source>
+        <translation>aucune pièce ne bouge</translation>
+    </message>
+    <message>
+        <source>Choose the part that moves.</source>
+        <translation>Choisissez la pièce qui bouge.</translation>
+    </message>
+    <message>
+        <source>cannot be what moves: the scenario has its object</source>
+        <translation>ne peut pas être la pièce qui bouge : le scénario a déjà son objet</translation>
+    </message>
+    <message>
+        <source>Make it static or mobile.</source>
+        <translation>Rendez-la statique ou mobile.</translation>
+    </message>
+    <message>
+        <source>has no part that the scenario does not have</source>
+        <translation>n&apos;a aucune pièce que le scénario n&apos;ait déjà</translation>
+    </message>
+    <message>
+        <source>Name the part to have it twice.</source>
+        <translation>Nommez la pièce pour l&apos;avoir deux fois.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>the path holds no configuration</source>
+        <translation>le chemin ne contient aucune configuration</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tableau</translation>
+    </message>
+    <message>
+        <source>With provenance</source>
+        <translation>Avec provenance</translation>
+    </message>
+    <message>
+        <source>OMPL columns</source>
+        <translation>Colonnes OMPL</translation>
+    </message>
+    <message>
+        <source>Animation</source>
+        <translation>Animation</translation>
+    </message>
+    <message>
+        <source>has no ending that says in which format the path is to be written</source>
+        <translation>n&apos;a pas d&apos;extension qui indique le format du chemin</translation>
+    </message>
+    <message>
+        <source>paths are not written as &apos;.%1&apos;</source>
+        <translation>les chemins ne s&apos;écrivent pas en « .%1 »</translation>
+    </message>
+    <message>
+        <source>Choose one of: %1.</source>
+        <translation>Choisissez parmi : %1.</translation>
+    </message>
+    <message>
+        <source>a position of the path is beyond single precision</source>
+        <translation>une position du chemin dépasse la simple précision</translation>
+    </message>
+    <message>
+        <source>is one too many: a path has at most %1 configurations</source>
+        <translation>est de trop : un chemin a au plus %1 configurations</translation>
+    </message>
+    <message>
+        <source>holds %1, which is not a finite number</source>
+        <translation>contient %1, qui n&apos;est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>holds %1, which is beyond 1e9 m</source>
+        <translation>contient %1, qui dépasse 1e9 m</translation>
+    </message>
+    <message>
+        <source>names an unknown author %1</source>
+        <translation>nomme un auteur inconnu %1</translation>
+    </message>
+    <message>
+        <source>is not &quot;%1&quot;</source>
+        <translation>n&apos;est pas « %1 »</translation>
+    </message>
+    <message>
+        <source>Give the path as one of: %1.</source>
+        <translation>Donnez le chemin dans l&apos;un de ces formats : %1.</translation>
+    </message>
+    <message>
+        <source>is about a product that has &apos;%1&apos;</source>
+        <translation>concerne un produit qui a « %1 »</translation>
+    </message>
+    <message>
+        <source>is about a product with other bodies</source>
+        <translation>concerne un produit qui a d&apos;autres corps</translation>
+    </message>
+    <message>
+        <source>Give the product that was planned.</source>
+        <translation>Donnez le produit qui a été planifié.</translation>
+    </message>
+    <message>
+        <source>a position of the plan is beyond single precision</source>
+        <translation>une position du plan dépasse la simple précision</translation>
+    </message>
+    <message>
+        <source>Export the plan as JSON.</source>
+        <translation>Exportez le plan en JSON.</translation>
+    </message>
+    <message>
+        <source>is there twice</source>
+        <translation>y est deux fois</translation>
+    </message>
+    <message>
+        <source>is none of the plan&apos;s bodies</source>
+        <translation>n&apos;est pas un corps du plan</translation>
+    </message>
+    <message>
+        <source>is more than the steps before it</source>
+        <translation>dépasse le nombre d&apos;étapes précédentes</translation>
+    </message>
+    <message>
+        <source>Name the bodies that leave.</source>
+        <translation>Nommez les corps qui sortent.</translation>
+    </message>
+    <message>
+        <source>stays, or has left before</source>
+        <translation>reste, ou est déjà sorti</translation>
+    </message>
+    <message>
+        <source>is not before, fastener, standing, place or joint</source>
+        <translation>n&apos;est pas before, fastener, standing, place ou joint</translation>
+    </message>
+    <message>
+        <source>is not hex_key, socket, screwdriver, open_wrench or none</source>
+        <translation>n&apos;est pas hex_key, socket, screwdriver, open_wrench ou none</translation>
+    </message>
+    <message>
+        <source>is not not_asked, free or blocked</source>
+        <translation>n&apos;est pas not_asked, free ou blocked</translation>
+    </message>
+    <message>
+        <source>is not an earlier step</source>
+        <translation>n&apos;est pas une étape précédente</translation>
+    </message>
+    <message>
+        <source>is not certified or not_certified</source>
+        <translation>n&apos;est pas certified ou not_certified</translation>
+    </message>
+    <message>
+        <source>is not a kind of drive</source>
+        <translation>n&apos;est pas un type d&apos;empreinte</translation>
+    </message>
+    <message>
+        <source>is without a pitch</source>
+        <translation>n&apos;a pas de pas de filetage</translation>
+    </message>
+    <message>
+        <source>stays, or has left</source>
+        <translation>reste, ou est sorti</translation>
+    </message>
+    <message>
+        <source>is deeper than %1 lines</source>
+        <translation>est plus profond que %1 lignes</translation>
+    </message>
+    <message>
+        <source>is not a step before it</source>
+        <translation>n&apos;est pas une étape qui le précède</translation>
+    </message>
+    <message>
+        <source>is a scenario, which states the deflection of each of its assets</source>
+        <translation>est un scénario, qui donne lui-même la flèche de chacun de ses assets</translation>
+    </message>
+    <message>
+        <source>Change &quot;deflection&quot; of the asset there, or give the part file.</source>
+        <translation>Changez-y « deflection » de l&apos;asset, ou donnez le fichier de la pièce.</translation>
+    </message>
+    <message>
+        <source>is a scenario, which says itself which bodies it has</source>
+        <translation>est un scénario, qui indique lui-même ses corps</translation>
+    </message>
+    <message>
+        <source>Name the solids when it is made: glissade-cli new OUT.json --static FILE:PART/SOLID --static FILE.</source>
+        <translation>Nommez les solides à sa création : glissade-cli new OUT.json --static FICHIER:PIÈCE/SOLIDE --static FICHIER.</translation>
+    </message>
+    <message>
+        <source>holds one part of several solids: there is nothing to take apart</source>
+        <translation>contient une seule pièce de plusieurs solides : il n&apos;y a rien à démonter</translation>
+    </message>
+    <message>
+        <source>Give a product of several parts, or take it as its solids: --open %1.</source>
+        <translation>Donnez un produit de plusieurs pièces, ou prenez-le comme ses solides : --open %1.</translation>
+    </message>
+    <message>
+        <source>is damaged, and names the scenario and the settings of the run</source>
+        <translation>est endommagée, alors qu&apos;elle nomme le scénario et les réglages du calcul</translation>
+    </message>
+    <message>
+        <source>Use an undamaged copy.</source>
+        <translation>Utilisez une copie intacte.</translation>
+    </message>
+    <message>
+        <source>the folder refuses a new file</source>
+        <translation>le dossier refuse un nouveau fichier</translation>
+    </message>
+    <message>
+        <source>cannot be locked</source>
+        <translation>ne peut pas être verrouillé</translation>
+    </message>
+    <message>
+        <source>cannot be written</source>
+        <translation>ne peut pas être écrit</translation>
+    </message>
+    <message>
+        <source>Use an undamaged copy. To replay an edited recording, remove its checksum.</source>
+        <translation>Utilisez une copie intacte. Pour rejouer un enregistrement modifié, supprimez sa somme de contrôle.</translation>
+    </message>
+    <message>
+        <source>is damaged: %1 lines of the journal are lost</source>
+        <translation>est endommagé : %1 lignes du journal sont perdues</translation>
+    </message>
+    <message>
+        <source>Nothing is missing until step %1; the replay may differ from the run after it.</source>
+        <translation>Rien ne manque jusqu&apos;au pas %1 ; ensuite la relecture peut différer du calcul.</translation>
+    </message>
+    <message>
+        <source>Name the scenario that the run was recorded on, as it was then.</source>
+        <translation>Donnez le scénario sur lequel le calcul a été enregistré, tel qu&apos;il était alors.</translation>
+    </message>
+    <message>
+        <source>the run was recorded on another scenario than &apos;%1&apos;</source>
+        <translation>le calcul a été enregistré sur un autre scénario que « %1 »</translation>
+    </message>
+    <message>
+        <source>the asset &apos;%1&apos; has changed since the run was recorded</source>
+        <translation>l&apos;asset « %1 » a changé depuis l&apos;enregistrement du calcul</translation>
+    </message>
+    <message>
+        <source>there is no planner &apos;%1&apos;</source>
+        <translation>il n&apos;y a pas de stratégie « %1 »</translation>
+    </message>
+    <message>
+        <source>Replay it with the Glissade that recorded it: %1.</source>
+        <translation>Rejouez-le avec la version de Glissade qui l&apos;a enregistré : %1.</translation>
+    </message>
+    <message>
+        <source>names the unknown parameter &apos;%1&apos;</source>
+        <translation>nomme le paramètre inconnu « %1 »</translation>
+    </message>
+    <message>
+        <source>comes before the step above it</source>
+        <translation>vient avant le pas qui le précède</translation>
+    </message>
+    <message>
+        <source>is 0</source>
+        <translation>est 0</translation>
+    </message>
+    <message>
+        <source>is not a number of 16 hexadecimal digits</source>
+        <translation>n&apos;est pas un nombre de 16 chiffres hexadécimaux</translation>
+    </message>
+    <message>
+        <source>is neither [step] nor [step, x, y, z, qx, qy, qz, qw]</source>
+        <translation>n&apos;est ni [step] ni [step, x, y, z, qx, qy, qz, qw]</translation>
+    </message>
+    <message>
+        <source>holds no unit quaternion</source>
+        <translation>ne contient pas de quaternion unitaire</translation>
+    </message>
+    <message>
+        <source>comes before the last checkpoint</source>
+        <translation>vient avant le dernier point de contrôle</translation>
+    </message>
+    <message>
+        <source>is neither 1 nor 2</source>
+        <translation>n&apos;est ni 1 ni 2</translation>
+    </message>
+    <message>
+        <source>Check its pose, its size and the unit of its file.</source>
+        <translation>Vérifiez sa pose, sa taille et l&apos;unité de son fichier.</translation>
+    </message>
+    <message>
+        <source>reaches %1 m from the world&apos;s origin, beyond 1e9 m</source>
+        <translation>s&apos;étend à %1 m de l&apos;origine du monde, au-delà de 1e9 m</translation>
+    </message>
+    <message>
+        <source>expand to more than %1 rigid bodies</source>
+        <translation>donnent plus de %1 corps rigides</translation>
+    </message>
+    <message>
+        <source>Give the parts that matter, or fewer bodies made of the same file.</source>
+        <translation>Donnez les pièces utiles, ou moins de corps faits du même fichier.</translation>
+    </message>
+    <message>
+        <source>has a radius of %1 m, which is not from 1e-12 m to 1e9 m</source>
+        <translation>a un rayon de %1 m, qui n&apos;est pas entre 1e-12 m et 1e9 m</translation>
+    </message>
+    <message>
+        <source>is more than 1e10 times as large as the object</source>
+        <translation>est plus de 1e10 fois plus grand que l&apos;objet</translation>
+    </message>
+    <message>
+        <source>Check the units of both, or give a smaller workspace.</source>
+        <translation>Vérifiez les unités des deux, ou donnez un espace de travail plus petit.</translation>
+    </message>
+    <message>
+        <source>leaves bodies out: %1</source>
+        <translation>écarte des corps : %1</translation>
+    </message>
+    <message>
+        <source>Proofs are about the product without them.</source>
+        <translation>Les preuves portent sur le produit sans eux.</translation>
+    </message>
+    <message>
+        <source>has a name that is not valid UTF-8, which a scenario file cannot hold</source>
+        <translation>a un nom qui n&apos;est pas de l&apos;UTF-8 valide, ce qu&apos;un fichier de scénario ne peut contenir</translation>
+    </message>
+    <message>
+        <source>Rename the file or its folder.</source>
+        <translation>Renommez le fichier ou son dossier.</translation>
+    </message>
+    <message>
+        <source>Say all of a node at one place.</source>
+        <translation>Dites tout d&apos;un nœud au même endroit.</translation>
+    </message>
+    <message>
+        <source>is neither a body nor an assembly of this product</source>
+        <translation>n&apos;est ni un corps ni un assemblage de ce produit</translation>
+    </message>
+    <message>
+        <source>is about a body, which has its attributes itself</source>
+        <translation>concerne un corps, qui porte lui-même ses attributs</translation>
+    </message>
+    <message>
+        <source>Write them there.</source>
+        <translation>Écrivez-les là.</translation>
+    </message>
+    <message>
+        <source>is no assembly that the node can be in</source>
+        <translation>n&apos;est pas un assemblage qui puisse contenir le nœud</translation>
+    </message>
+    <message>
+        <source>Name an assembly that is not below it.</source>
+        <translation>Nommez un assemblage qui n&apos;en dépend pas.</translation>
+    </message>
+    <message>
+        <source>is not a colour: three numbers from 0 to 1</source>
+        <translation>n&apos;est pas une couleur : trois nombres de 0 à 1</translation>
+    </message>
+    <message>
+        <source>Add the asset.</source>
+        <translation>Ajoutez l&apos;asset.</translation>
+    </message>
+    <message>
+        <source>is neither &quot;static&quot; nor &quot;mobile&quot;</source>
+        <translation>n&apos;est ni « static » ni « mobile »</translation>
+    </message>
+    <message>
+        <source>is for mesh files only</source>
+        <translation>ne vaut que pour les fichiers de maillage</translation>
+    </message>
+    <message>
+        <source>is said twice: there is &apos;centre_on_vertex_mean&apos;</source>
+        <translation>est dit deux fois : il y a « centre_on_vertex_mean »</translation>
+    </message>
+    <message>
+        <source>is not beside &apos;centre_on_vertex_mean&apos;</source>
+        <translation>ne se met pas à côté de &apos;centre_on_vertex_mean&apos;</translation>
+    </message>
+    <message>
+        <source>Remove it, or see &apos;glissade-cli plan --help&apos;.</source>
+        <translation>Supprimez-le, ou voyez « glissade-cli plan --help ».</translation>
+    </message>
+    <message>
+        <source>Give every one an id of its own.</source>
+        <translation>Donnez à chacun un identifiant différent.</translation>
+    </message>
+    <message>
+        <source>is version %1; this program reads up to version %2</source>
+        <translation>est de la version %1 ; ce programme lit jusqu&apos;à la version %2</translation>
+    </message>
+    <message>
+        <source>is not a box</source>
+        <translation>n&apos;est pas une boîte</translation>
+    </message>
+    <message>
+        <source>Give six coordinates: the least x, y and z, then the largest.</source>
+        <translation>Donnez six coordonnées : les plus petits x, y et z, puis les plus grands.</translation>
+    </message>
+    <message>
+        <source>Give metres, or 0 for as fine as the memory allows.</source>
+        <translation>Donnez des mètres, ou 0 pour la plus grande finesse que permet la mémoire.</translation>
+    </message>
+    <message>
+        <source>names no way to find places</source>
+        <translation>ne nomme aucune méthode de recherche des lieux</translation>
+    </message>
+    <message>
+        <source>Give region-growing or watershed.</source>
+        <translation>Donnez region-growing ou watershed.</translation>
+    </message>
+    <message>
+        <source>is neither &quot;place&quot; nor &quot;body&quot;</source>
+        <translation>n&apos;est ni « place » ni « body »</translation>
+    </message>
+    <message>
+        <source>is not a type of attribute</source>
+        <translation>n&apos;est pas un type d&apos;attribut</translation>
+    </message>
+    <message>
+        <source>Give bool, integer, number, text or choice.</source>
+        <translation>Donnez bool, integer, number, text ou choice.</translation>
+    </message>
+    <message>
+        <source>names fewer than %1 bodies</source>
+        <translation>nomme moins de %1 corps</translation>
+    </message>
+    <message>
+        <source>is not three numbers</source>
+        <translation>n&apos;est pas fait de trois nombres</translation>
+    </message>
+    <message>
+        <source>is not two texts</source>
+        <translation>n&apos;est pas fait de deux textes</translation>
+    </message>
+    <message>
+        <source>is not a body and screw, nut, washer, pin or none</source>
+        <translation>n&apos;est pas un corps suivi de screw, nut, washer, pin ou none</translation>
+    </message>
+    <message>
+        <source>is not 1 or more</source>
+        <translation>n&apos;est pas au moins 1</translation>
+    </message>
+    <message>
+        <source>has fewer than two configurations</source>
+        <translation>a moins de deux configurations</translation>
+    </message>
+    <message>
+        <source>is not off, recognised or suggested</source>
+        <translation>n&apos;est pas off, recognised ou suggested</translation>
+    </message>
+    <message>
+        <source>the class of &apos;%1&apos; is &apos;%2&apos;, which is not a class of bodies</source>
+        <translation>la classe de « %1 » est « %2 », qui n&apos;est pas une classe de corps</translation>
+    </message>
+    <message>
+        <source>Choose one of %1, or add it under /sequence/classes.</source>
+        <translation>Choisissez parmi %1, ou ajoutez-la sous /sequence/classes.</translation>
+    </message>
+    <message>
+        <source>a swept volume is written as .stl or .glb</source>
+        <translation>un volume balayé s&apos;écrit en .stl ou .glb</translation>
+    </message>
+    <message>
+        <source>does not say its unit; its size is %1</source>
+        <translation>ne dit pas son unité ; sa taille est %1</translation>
+    </message>
+    <message>
+        <source>it is taken in millimetres</source>
+        <translation>il est pris en millimètres</translation>
+    </message>
+    <message>
+        <source>it is taken in metres</source>
+        <translation>il est pris en mètres</translation>
+    </message>
+    <message>
+        <source>the size does not decide this</source>
+        <translation>la taille ne permet pas d&apos;en décider</translation>
+    </message>
+    <message>
+        <source>other files taken in the same way: %1</source>
+        <translation>autres fichiers interprétés de la même façon : %1</translation>
+    </message>
+    <message>
+        <source>Give the unit: --unit 1mm, or --unit 1m.</source>
+        <translation>Donnez l&apos;unité : --unit 1mm, ou --unit 1m.</translation>
+    </message>
+    <message>
+        <source>Give the unit: --unit 1m, or --unit 1mm.</source>
+        <translation>Donnez l&apos;unité : --unit 1m, ou --unit 1mm.</translation>
+    </message>
+    <message>
+        <source>is not %1</source>
+        <translation>n&apos;est pas %1</translation>
+    </message>
+    <message>
+        <source>is no work time</source>
+        <translation>n&apos;est pas un temps de travail</translation>
+    </message>
+    <message>
+        <source>Take the names that &apos;times --write-table&apos; writes.</source>
+        <translation>Prenez les noms qu&apos;écrit « times --write-table ».</translation>
+    </message>
+    <message>
+        <source>is not from 0 to %1</source>
+        <translation>n&apos;est pas de 0 à %1</translation>
+    </message>
+    <message>
+        <source>straight</source>
+        <translation>une droite</translation>
+    </message>
+    <message>
+        <source>two lines</source>
+        <translation>deux droites</translation>
+    </message>
+    <message>
+        <source>turned</source>
+        <translation>une rotation</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>à la main</translation>
+    </message>
+    <message>
+        <source>flexible</source>
+        <translation>souple</translation>
+    </message>
+    <message>
+        <source>the motion that &apos;%1&apos; keeps begins in the direction that is to be forbidden</source>
+        <translation>le mouvement que « %1 » garde commence dans la direction à interdire</translation>
+    </message>
+    <message>
+        <source>the motion begins in a direction that is forbidden to &apos;%1&apos;</source>
+        <translation>le mouvement commence dans une direction interdite à « %1 »</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is to leave before &apos;%2&apos;</source>
+        <translation>« %1 » doit sortir avant « %2 »</translation>
+    </message>
+    <message>
+        <source>Remove the earlier demand, or leave out the new one.</source>
+        <translation>Supprimez l&apos;exigence précédente, ou renoncez à la nouvelle.</translation>
+    </message>
+    <message>
+        <source>it was to leave as step %1, and no motion was found there</source>
+        <translation>elle devait sortir à l&apos;étape %1, et aucun mouvement n&apos;y a été trouvé</translation>
+    </message>
+    <message>
+        <source>of %1 mm</source>
+        <translation>de %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 screw</source>
+        <translation>%1 vis</translation>
+    </message>
+    <message>
+        <source>%1 screws</source>
+        <translation>%1 vis</translation>
+    </message>
+    <message>
+        <source>%1 screw %2</source>
+        <translation>%1 vis %2</translation>
+    </message>
+    <message>
+        <source>%1 screws %2</source>
+        <translation>%1 vis %2</translation>
+    </message>
+    <message>
+        <source>%1 nut</source>
+        <translation>%1 écrou</translation>
+    </message>
+    <message>
+        <source>%1 nuts</source>
+        <translation>%1 écrous</translation>
+    </message>
+    <message>
+        <source>%1 nut %2</source>
+        <translation>%1 écrou %2</translation>
+    </message>
+    <message>
+        <source>%1 nuts %2</source>
+        <translation>%1 écrous %2</translation>
+    </message>
+    <message>
+        <source>%1 thread</source>
+        <translation>%1 filetage</translation>
+    </message>
+    <message>
+        <source>%1 threads</source>
+        <translation>%1 filetages</translation>
+    </message>
+    <message>
+        <source>%1 thread %2</source>
+        <translation>%1 filetage %2</translation>
+    </message>
+    <message>
+        <source>%1 threads %2</source>
+        <translation>%1 filetages %2</translation>
+    </message>
+    <message>
+        <source>%1 flexible</source>
+        <translation>%1 pièce souple</translation>
+    </message>
+    <message>
+        <source>%1 flexibles</source>
+        <translation>%1 pièces souples</translation>
+    </message>
+    <message>
+        <source>%1 flexible %2</source>
+        <translation>%1 pièce souple %2</translation>
+    </message>
+    <message>
+        <source>%1 flexibles %2</source>
+        <translation>%1 pièces souples %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 et %2</translation>
+    </message>
+    <message>
+        <source>is not from 1 to %1</source>
+        <translation>n&apos;est pas de 1 à %1</translation>
+    </message>
+    <message>
+        <source>Give a number of stations in this range.</source>
+        <translation>Donnez un nombre de postes dans ces limites.</translation>
+    </message>
+    <message>
+        <source>of task %1 are below 0, or no number</source>
+        <translation>de la tâche %1 sont inférieures à 0, ou ne sont pas un nombre</translation>
+    </message>
+    <message>
+        <source>Give finite seconds, 0 or more.</source>
+        <translation>Donnez des secondes finies, 0 ou plus.</translation>
+    </message>
+    <message>
+        <source>names task %1, which is no earlier one, for task %2</source>
+        <translation>cite la tâche %1, qui n&apos;est pas antérieure, pour la tâche %2</translation>
+    </message>
+    <message>
+        <source>Number the tasks in an order that can be carried out.</source>
+        <translation>Numérotez les tâches dans un ordre réalisable.</translation>
+    </message>
+    <message>
+        <source>a demand names &apos;%1&apos;, which is not a body of the product</source>
+        <translation>une exigence nomme « %1 », qui n&apos;est pas un corps du produit</translation>
+    </message>
+    <message>
+        <source>a demand about a step names no body</source>
+        <translation>une exigence sur une étape ne nomme aucun corps</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is in two steps or groups that are demanded</source>
+        <translation>« %1 » est dans deux étapes ou groupes exigés</translation>
+    </message>
+    <message>
+        <source>Name the same bodies in both, or remove one.</source>
+        <translation>Nommez les mêmes corps dans les deux, ou supprimez-en un.</translation>
+    </message>
+    <message>
+        <source>two steps are demanded at place %1</source>
+        <translation>deux étapes sont exigées à la place %1</translation>
+    </message>
+    <message>
+        <source>Give each a place of its own, from 1.</source>
+        <translation>Donnez à chacune sa propre place, à partir de 1.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is demanded at two places</source>
+        <translation>« %1 » est exigé à deux places</translation>
+    </message>
+    <message>
+        <source>Remove one of them.</source>
+        <translation>Supprimez l&apos;une d&apos;elles.</translation>
+    </message>
+    <message>
+        <source>a demanded motion has fewer than two configurations</source>
+        <translation>un mouvement exigé a moins de deux configurations</translation>
+    </message>
+    <message>
+        <source>Give two configurations.</source>
+        <translation>Donnez deux configurations.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has two demanded motions</source>
+        <translation>« %1 » a deux mouvements exigés</translation>
+    </message>
+    <message>
+        <source>a direction that is forbidden to &apos;%1&apos; has no length</source>
+        <translation>une direction interdite à « %1 » est de longueur nulle</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has a demanded motion in a direction that is forbidden to it</source>
+        <translation>« %1 » a un mouvement exigé dans une direction qui lui est interdite</translation>
+    </message>
+    <message>
+        <source>Remove one of the two demands.</source>
+        <translation>Supprimez l&apos;une des deux exigences.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is demanded to leave with others twice</source>
+        <translation>« %1 » est deux fois exigé dans un groupe</translation>
+    </message>
+    <message>
+        <source>Name each body once.</source>
+        <translation>Nommez chaque corps une seule fois.</translation>
+    </message>
+    <message>
+        <source>the demands about the order form a cycle</source>
+        <translation>les exigences sur l&apos;ordre forment un cycle</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; stays, and is demanded to leave as step %2</source>
+        <translation>« %1 » reste, et doit sortir à l&apos;étape %2</translation>
+    </message>
+    <message>
+        <source>Let another body stay, or remove the demand.</source>
+        <translation>Laissez un autre corps en place, ou retirez l&apos;exigence.</translation>
+    </message>
+    <message>
+        <source>is unknown: %1</source>
+        <translation>est inconnu : %1</translation>
+    </message>
+    <message>
+        <source>Greedy</source>
+        <translation>Gloutonne</translation>
+    </message>
+    <message>
+        <source>Whatever can leave leaves, the smallest first; what cannot is asked again when one of those in its way has left.</source>
+        <translation>Tout ce qui peut sortir sort, le plus petit d&apos;abord ; ce qui ne le peut pas est réessayé quand un corps qui le gêne est sorti.</translation>
+    </message>
+    <message>
+        <source>Best first</source>
+        <translation>Meilleur d&apos;abord</translation>
+    </message>
+    <message>
+        <source>The motions of the greedy strategy in the order that costs least: length, changes of direction and of tools, bodies that would fall.</source>
+        <translation>Les mouvements de la stratégie greedy dans l&apos;ordre le moins coûteux : longueur, changements de direction et d&apos;outil, corps qui tomberaient.</translation>
+    </message>
+    <message>
+        <source>As a fitter would</source>
+        <translation>Comme un monteur</translation>
+    </message>
+    <message>
+        <source>Balanced</source>
+        <translation>Équilibré</translation>
+    </message>
+    <message>
+        <source>Steady</source>
+        <translation>Stable</translation>
+    </message>
+    <message>
+        <source>Few changes of tools</source>
+        <translation>Peu de changements d&apos;outil</translation>
+    </message>
+    <message>
+        <source>Short motions</source>
+        <translation>Mouvements courts</translation>
+    </message>
+    <message>
+        <source>Fragile parts leave first</source>
+        <translation>Pièces fragiles d&apos;abord</translation>
+    </message>
+    <message>
+        <source>As found</source>
+        <translation>Comme trouvé</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is one part of %2 solids that do not touch each other: take these as parts (--open &quot;%3&quot;, or &quot;Groups and solids are parts&quot; in the list of parts)</source>
+        <translation>« %1 » est une pièce de %2 solides qui ne se touchent pas : prenez-les comme des pièces (--open &quot;%3&quot;, ou « Groupes et solides sont des pièces » dans la liste des pièces)</translation>
+    </message>
+    <message>
+        <source>it is demanded that &apos;%1&apos; leaves before</source>
+        <translation>il est exigé que « %1 » sorte avant</translation>
+    </message>
+    <message>
+        <source>it and &apos;%1&apos; hold each other: neither was found to leave alone, nor both as one; motions of several bodies at the same time are not searched</source>
+        <translation>elle et « %1 » se bloquent mutuellement : aucun mouvement n&apos;a été trouvé, ni pour l&apos;une seule, ni pour les deux ensemble ; les mouvements simultanés de plusieurs corps ne sont pas cherchés</translation>
+    </message>
+    <message>
+        <source>the motion that a person gave it is not free</source>
+        <translation>le mouvement donné à la main n&apos;est pas libre</translation>
+    </message>
+    <message>
+        <source>no motion was found in a direction that is not forbidden</source>
+        <translation>aucun mouvement n&apos;a été trouvé dans une direction permise</translation>
+    </message>
+    <message>
+        <source>it is between parts that are pressed together: press one of them out</source>
+        <translation>elle est entre des pièces emmanchées l&apos;une dans l&apos;autre : en extraire une</translation>
+    </message>
+    <message>
+        <source>no motion was found, alone or with others</source>
+        <translation>aucun mouvement n&apos;a été trouvé, ni seule ni avec d&apos;autres</translation>
+    </message>
+    <message>
+        <source>held by %1: remove these first; &apos;%2&apos; is captive: &apos;%3&apos; is in its way</source>
+        <translation>tenue par %1 : retirez-les d&apos;abord ; « %2 » est imperdable : « %3 » est sur son chemin</translation>
+    </message>
+    <message>
+        <source>held by %1: remove these first</source>
+        <translation>tenue par %1 : retirez-les d&apos;abord</translation>
+    </message>
+    <message>
+        <source>it is held by %1 in &apos;%2&apos;, and no free turn out of it was found: free the way, or dissolve the joint</source>
+        <translation>elle est tenue par %1 dans « %2 », et aucune rotation libre ne l&apos;en sort : dégagez le passage, ou dissolvez la liaison</translation>
+    </message>
+    <message>
+        <source>it and &apos;%1&apos; clash where they are assembled: mend the parts, or accept the clash</source>
+        <translation>elle et « %1 » sont en collision à l’état assemblé : corrigez les pièces, ou acceptez la collision</translation>
+    </message>
+    <message>
+        <source>it and &apos;%1&apos; clash where they are assembled (%2): mend the parts, or accept the clash</source>
+        <translation>elle et « %1 » sont en collision à l’état assemblé (%2) : corrigez les pièces, ou acceptez la collision</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; needs the tool &apos;%2&apos;, which is unknown</source>
+        <translation>« %1 » demande l&apos;outil « %2 », qui est inconnu</translation>
+    </message>
+    <message>
+        <source>Choose hex_key, socket, screwdriver, open_wrench or none.</source>
+        <translation>Choisissez hex_key, socket, screwdriver, open_wrench ou none.</translation>
+    </message>
+    <message>
+        <source>a part is small below this length</source>
+        <translation>une pièce est petite au-dessous de cette longueur</translation>
+    </message>
+    <message>
+        <source>a part is large above this length</source>
+        <translation>une pièce est grande au-dessus de cette longueur</translation>
+    </message>
+    <message>
+        <source>a heavier part is handled as a large one</source>
+        <translation>une pièce plus lourde est manipulée comme une grande</translation>
+    </message>
+    <message>
+        <source>a heavier part needs a lifting aid</source>
+        <translation>une pièce plus lourde demande une aide au levage</translation>
+    </message>
+    <message>
+        <source>fetch a part</source>
+        <translation>prendre une pièce</translation>
+    </message>
+    <message>
+        <source>fetch a small part</source>
+        <translation>prendre une petite pièce</translation>
+    </message>
+    <message>
+        <source>fetch a large part with both hands</source>
+        <translation>prendre une grande pièce à deux mains</translation>
+    </message>
+    <message>
+        <source>fetch a part with a lifting aid</source>
+        <translation>prendre une pièce avec une aide au levage</translation>
+    </message>
+    <message>
+        <source>place a part along a straight way</source>
+        <translation>poser une pièce par un trajet droit</translation>
+    </message>
+    <message>
+        <source>place a part into a fit</source>
+        <translation>poser une pièce dans un ajustement</translation>
+    </message>
+    <message>
+        <source>place a part along a way with turns</source>
+        <translation>poser une pièce par un trajet avec des virages</translation>
+    </message>
+    <message>
+        <source>press a part into its seat</source>
+        <translation>presser une pièce dans son logement</translation>
+    </message>
+    <message>
+        <source>lay a flexible part on</source>
+        <translation>poser une pièce souple</translation>
+    </message>
+    <message>
+        <source>start a thread</source>
+        <translation>engager un filetage</translation>
+    </message>
+    <message>
+        <source>one turn with a powered tool</source>
+        <translation>un tour avec un outil à moteur</translation>
+    </message>
+    <message>
+        <source>one turn by hand or with an open wrench</source>
+        <translation>un tour à la main ou avec une clé plate</translation>
+    </message>
+    <message>
+        <source>take another tool</source>
+        <translation>prendre un autre outil</translation>
+    </message>
+    <message>
+        <source>hold one body meanwhile</source>
+        <translation>tenir un corps pendant ce temps</translation>
+    </message>
+    <message>
+        <source>planning</source>
+        <translation>planification</translation>
+    </message>
+    <message>
+        <source>device</source>
+        <translation>le périphérique</translation>
+    </message>
+    <message>
+        <source>Choose a device again.</source>
+        <translation>Choisissez de nouveau un périphérique.</translation>
+    </message>
+    <message>
+        <source>moving the object with the device</source>
+        <translation>déplacement de l&apos;objet avec le périphérique</translation>
+    </message>
+    <message>
+        <source>stopping the planner</source>
+        <translation>arrêt du planificateur</translation>
+    </message>
+    <message>
+        <source>Raise the limit (%1), steer the object yourself, or try another seed.</source>
+        <translation>Augmentez la limite (%1), guidez l&apos;objet vous-même, ou essayez une autre graine.</translation>
+    </message>
+    <message>
+        <source>starting the planner</source>
+        <translation>démarrage du planificateur</translation>
+    </message>
+    <message>
+        <source>smoothing the path</source>
+        <translation>lissage du chemin</translation>
+    </message>
+    <message>
+        <source>examining the path</source>
+        <translation>examen du chemin</translation>
+    </message>
+    <message>
+        <source>changing the settings of the run</source>
+        <translation>changement des réglages du calcul</translation>
+    </message>
+    <message>
+        <source>completing the roadmap</source>
+        <translation>achèvement du graphe</translation>
+    </message>
+    <message>
+        <source>%1, seed %2</source>
+        <translation>%1, graine %2</translation>
+    </message>
+    <message>
+        <source>there is no such planner</source>
+        <translation>cette stratégie n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>Choose one of %1.</source>
+        <translation>Choisissez parmi %1.</translation>
+    </message>
+    <message>
+        <source>the path that was found leads through &apos;%1&apos;, which was forbidden meanwhile</source>
+        <translation>le chemin trouvé passe par « %1 », interdit entre-temps</translation>
+    </message>
+    <message>
+        <source>the step limit of %1 was reached without a path</source>
+        <translation>la limite de %1 pas a été atteinte sans chemin</translation>
+    </message>
+    <message>
+        <source>the limit of %1 random configurations was reached without a path</source>
+        <translation>la limite de %1 configurations aléatoires a été atteinte sans chemin</translation>
+    </message>
+    <message>
+        <source>the time limit of %1 s was reached without a path</source>
+        <translation>la limite de temps de %1 s a été atteinte sans chemin</translation>
+    </message>
+    <message>
+        <source>publishing the roadmap</source>
+        <translation>publication du graphe</translation>
+    </message>
+    <message>
+        <source>Enlarge the workspace or move the start inside.</source>
+        <translation>Agrandissez l&apos;espace de travail, ou placez-y le départ.</translation>
+    </message>
+    <message>
+        <source>Allow the place again, or move the start out of it.</source>
+        <translation>Autorisez de nouveau le lieu, ou déplacez le départ hors de celui-ci.</translation>
+    </message>
+    <message>
+        <source>Move the start to a position clear of all bodies.</source>
+        <translation>Placez le départ à l&apos;écart de tous les corps.</translation>
+    </message>
+    <message>
+        <source>Move the start away or lower the required clearance.</source>
+        <translation>Éloignez le départ, ou réduisez le jeu exigé.</translation>
+    </message>
+    <message>
+        <source>Enlarge the workspace or move the goal inside.</source>
+        <translation>Agrandissez l&apos;espace de travail, ou placez-y le but.</translation>
+    </message>
+    <message>
+        <source>Allow the place again, or move the goal out of it.</source>
+        <translation>Autorisez de nouveau le lieu, ou déplacez le but hors de celui-ci.</translation>
+    </message>
+    <message>
+        <source>Move the goal to a position clear of all bodies.</source>
+        <translation>Placez le but à l&apos;écart de tous les corps.</translation>
+    </message>
+    <message>
+        <source>Move the goal away or lower the required clearance.</source>
+        <translation>Éloignez le but, ou réduisez le jeu exigé.</translation>
+    </message>
+    <message>
+        <source>the milestone is inside of &apos;%1&apos;, which is forbidden</source>
+        <translation>le jalon est à l&apos;intérieur de « %1 », qui est interdit</translation>
+    </message>
+    <message>
+        <source>the reference point is inside of &apos;%1&apos;, which is forbidden</source>
+        <translation>le point de référence est à l&apos;intérieur de « %1 », qui est interdit</translation>
+    </message>
+    <message>
+        <source>the milestone lies on the boundary of &apos;%1&apos;, which is forbidden, or within the margin of %2 m</source>
+        <translation>le jalon est sur le bord de « %1 », qui est interdit, ou dans la marge de %2 m</translation>
+    </message>
+    <message>
+        <source>the reference point lies on the boundary of &apos;%1&apos;, which is forbidden, or within the margin of %2 m</source>
+        <translation>le point de référence est sur le bord de « %1 », qui est interdit, ou dans la marge de %2 m</translation>
+    </message>
+    <message>
+        <source>is not a valid configuration</source>
+        <translation>n&apos;est pas une configuration valide</translation>
+    </message>
+    <message>
+        <source>Give finite numbers and a unit quaternion.</source>
+        <translation>Donnez des nombres finis et un quaternion unitaire.</translation>
+    </message>
+    <message>
+        <source>lies outside the workspace bounds</source>
+        <translation>est hors des limites de l&apos;espace de travail</translation>
+    </message>
+    <message>
+        <source>the object is %1 m from &apos;%2&apos;, nearer than the required clearance of %3 m</source>
+        <translation>l&apos;objet est à %1 m de « %2 », moins que le jeu exigé de %3 m</translation>
+    </message>
+    <message>
+        <source>the milestone is in collision with &apos;%1&apos;</source>
+        <translation>le jalon est en collision avec « %1 »</translation>
+    </message>
+    <message>
+        <source>Put it where the object is free, or remove it.</source>
+        <translation>Placez-le là où l&apos;objet est libre, ou supprimez-le.</translation>
+    </message>
+    <message>
+        <source>workspace</source>
+        <translation>l&apos;espace de travail</translation>
+    </message>
+    <message>
+        <source>Give a minimum below the maximum.</source>
+        <translation>Donnez un minimum inférieur au maximum.</translation>
+    </message>
+    <message>
+        <source>the goal &apos;out&apos; cannot be reached: the workspace has no room outside the box around the obstacles</source>
+        <translation>le but « dehors » est hors d&apos;atteinte : l&apos;espace de travail n&apos;a pas de place hors de la boîte englobante des obstacles</translation>
+    </message>
+    <message>
+        <source>Enlarge the workspace by the size of the object on one side at least.</source>
+        <translation>Agrandissez l&apos;espace de travail de la taille de l&apos;objet, d&apos;un côté au moins.</translation>
+    </message>
+    <message>
+        <source>announcing a snapshot</source>
+        <translation>annonce d&apos;un état du calcul</translation>
+    </message>
+    <message>
+        <source>mean of %1 over all runs</source>
+        <translation>moyenne de « %1 » sur tous les essais</translation>
+    </message>
+    <message>
+        <source>mean of %1 over the solved runs</source>
+        <translation>moyenne de « %1 » sur les essais résolus</translation>
+    </message>
+    <message>
+        <source>median of %1 over all runs</source>
+        <translation>médiane de « %1 » sur tous les essais</translation>
+    </message>
+    <message>
+        <source>median of %1 over the solved runs</source>
+        <translation>médiane de « %1 » sur les essais résolus</translation>
+    </message>
+    <message>
+        <source>%1 has not been run</source>
+        <translation>%1 n&apos;a pas été calculé</translation>
+    </message>
+    <message>
+        <source>%1 was never solved</source>
+        <translation>%1 n&apos;a jamais été résolu</translation>
+    </message>
+    <message>
+        <source>%1: %2; wanted below %3</source>
+        <translation>%1 : %2 ; voulu sous %3</translation>
+    </message>
+    <message>
+        <source>%1: %2; wanted above %3</source>
+        <translation>%1 : %2 ; voulu au-dessus de %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 against %3: %4</source>
+        <translation>%1 : %2 contre %3 : %4</translation>
+    </message>
+    <message>
+        <source>%1, %2 times; wanted below %3</source>
+        <translation>%1, %2 fois ; voulu sous %3</translation>
+    </message>
+    <message>
+        <source>%1, %2 times; wanted above %3</source>
+        <translation>%1, %2 fois ; voulu au-dessus de %3</translation>
+    </message>
+    <message>
+        <source>Its rows are not part of this size of the study</source>
+        <translation>Ses lignes ne font pas partie de cette taille de l&apos;étude</translation>
+    </message>
+    <message>
+        <source>Remove it to mean any.</source>
+        <translation>Supprimez-le pour admettre tout.</translation>
+    </message>
+    <message>
+        <source>pairing</source>
+        <translation>appariement</translation>
+    </message>
+    <message>
+        <source>has no meaning beside a number</source>
+        <translation>n&apos;a pas de sens à côté d&apos;un nombre</translation>
+    </message>
+    <message>
+        <source>Put it into &quot;than&quot;.</source>
+        <translation>Mettez-le dans « than ».</translation>
+    </message>
+    <message>
+        <source>names the unknown %1 &apos;%2&apos;</source>
+        <translation>nomme %1 inconnu « %2 »</translation>
+    </message>
+    <message>
+        <source>measure</source>
+        <translation>mesure</translation>
+    </message>
+    <message>
+        <source>statistic</source>
+        <translation>statistique</translation>
+    </message>
+    <message>
+        <source>kind of runs</source>
+        <translation>type d&apos;essais</translation>
+    </message>
+    <message>
+        <source>relation</source>
+        <translation>relation</translation>
+    </message>
+    <message>
+        <source>%1 parts, %2 steps</source>
+        <translation>%1 pièces, %2 étapes</translation>
+    </message>
+    <message>
+        <source>Tools: %1</source>
+        <translation>Outils : %1</translation>
+    </message>
+    <message>
+        <source>Parts list</source>
+        <translation>Nomenclature</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Début</translation>
+    </message>
+    <message>
+        <source>Subassembly for step %1</source>
+        <translation>Sous-ensemble pour l&apos;étape %1</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Précédent</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suivant</translation>
+    </message>
+    <message>
+        <source>Work instruction</source>
+        <translation>Gamme de montage</translation>
+    </message>
+    <message>
+        <source>is no column of the parts list</source>
+        <translation>n&apos;est pas une colonne de la nomenclature</translation>
+    </message>
+    <message>
+        <source>Take picture, part, designation, count or steps.</source>
+        <translation>Prenez picture, part, designation, count ou steps.</translation>
+    </message>
+    <message>
+        <source>names no column</source>
+        <translation>ne nomme aucune colonne</translation>
+    </message>
+    <message>
+        <source>Name at least one column, or leave the member out.</source>
+        <translation>Nommez au moins une colonne, ou supprimez ce champ.</translation>
+    </message>
+    <message>
+        <source>is given twice</source>
+        <translation>est donné deux fois</translation>
+    </message>
+    <message>
+        <source>Name each column once.</source>
+        <translation>Nommez chaque colonne une fois.</translation>
+    </message>
+    <message>
+        <source>is not below the folder of the template</source>
+        <translation>n&apos;est pas sous le dossier du modèle</translation>
+    </message>
+    <message>
+        <source>Copy the picture beside the template and give its name.</source>
+        <translation>Copiez l&apos;image à côté du modèle et donnez son nom.</translation>
+    </message>
+    <message>
+        <source>is neither a PNG nor a JPEG picture</source>
+        <translation>n&apos;est une image ni PNG ni JPEG</translation>
+    </message>
+    <message>
+        <source>Save the logo as PNG.</source>
+        <translation>Enregistrez le logo en PNG.</translation>
+    </message>
+    <message>
+        <source>is no language of the instructions</source>
+        <translation>n&apos;est pas une langue des gammes</translation>
+    </message>
+    <message>
+        <source>Take en or fr.</source>
+        <translation>Prenez en ou fr.</translation>
+    </message>
+    <message>
+        <source>is no paper of the instructions</source>
+        <translation>n&apos;est pas un papier des gammes</translation>
+    </message>
+    <message>
+        <source>Take A4 or Letter.</source>
+        <translation>Prenez A4 ou Letter.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Pièce</translation>
+    </message>
+    <message>
+        <source>Designation</source>
+        <translation>Désignation</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Étapes</translation>
+    </message>
+    <message>
+        <source>the page has no 3D view, because the animation is too large</source>
+        <translation>la page n&apos;a pas de vue 3D, car l&apos;animation est trop grande</translation>
+    </message>
+    <message>
+        <source>Save the animation as GLB, and open it in a 3D viewer.</source>
+        <translation>Enregistrez l&apos;animation en GLB, et ouvrez-la dans une visionneuse 3D.</translation>
+    </message>
+    <message>
+        <source>the page has no 3D view, because three.js is not installed</source>
+        <translation>la page n&apos;a pas de vue 3D, car three.js n&apos;est pas installé</translation>
+    </message>
+    <message>
+        <source>Install the package libjs-three, and save the page again.</source>
+        <translation>Installez le paquet libjs-three, et enregistrez de nouveau la page.</translation>
+    </message>
+    <message>
+        <source>Screw in %1.</source>
+        <translation>Visser %1.</translation>
+    </message>
+    <message>
+        <source>Screw on %1.</source>
+        <translation>Visser %1.</translation>
+    </message>
+    <message>
+        <source>Press in %1.</source>
+        <translation>Emmancher %1.</translation>
+    </message>
+    <message>
+        <source>Push in %1.</source>
+        <translation>Enfoncer %1.</translation>
+    </message>
+    <message>
+        <source>Snap in %1.</source>
+        <translation>Clipser %1.</translation>
+    </message>
+    <message>
+        <source>Lay on %1.</source>
+        <translation>Poser %1.</translation>
+    </message>
+    <message>
+        <source>Turn in %1.</source>
+        <translation>Mettre %1 en tournant.</translation>
+    </message>
+    <message>
+        <source>Insert %1.</source>
+        <translation>Insérer %1.</translation>
+    </message>
+    <message>
+        <source>Place %1.</source>
+        <translation>Placer %1.</translation>
+    </message>
+    <message>
+        <source>Turn the product over.</source>
+        <translation>Retourner le produit.</translation>
+    </message>
+    <message>
+        <source>Turn the product over and by half a turn.</source>
+        <translation>Retourner le produit et le tourner d&apos;un demi-tour.</translation>
+    </message>
+    <message>
+        <source>Turn the product by half a turn.</source>
+        <translation>Tourner le produit d&apos;un demi-tour.</translation>
+    </message>
+    <message>
+        <source>Turn the product over and to the left.</source>
+        <translation>Retourner le produit et le tourner vers la gauche.</translation>
+    </message>
+    <message>
+        <source>Turn the product over and to the right.</source>
+        <translation>Retourner le produit et le tourner vers la droite.</translation>
+    </message>
+    <message>
+        <source>Turn the product to the left.</source>
+        <translation>Tourner le produit vers la gauche.</translation>
+    </message>
+    <message>
+        <source>Turn the product to the right.</source>
+        <translation>Tourner le produit vers la droite.</translation>
+    </message>
+    <message>
+        <source>Put %1 on the bench.</source>
+        <translation>Poser %1 sur l&apos;établi.</translation>
+    </message>
+    <message>
+        <source>Put these parts on the bench.</source>
+        <translation>Poser ces pièces sur l&apos;établi.</translation>
+    </message>
+    <message>
+        <source>subassembly %1</source>
+        <translation>sous-ensemble %1</translation>
+    </message>
+    <message>
+        <source>Start all by hand, then tighten crosswise.</source>
+        <translation>Tout engager à la main, puis serrer en croix.</translation>
+    </message>
+    <message>
+        <source>Hold %1, turn %2.</source>
+        <translation>Maintenir %1, tourner %2.</translation>
+    </message>
+    <message>
+        <source>Needs support: %1</source>
+        <translation>À soutenir : %1</translation>
+    </message>
+    <message>
+        <source>Hold while you turn it over: %1</source>
+        <translation>À tenir pendant le retournement : %1</translation>
+    </message>
+    <message>
+        <source>One person</source>
+        <translation>Une personne</translation>
+    </message>
+    <message>
+        <source>Station %1</source>
+        <translation>Poste %1</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>secondes</translation>
+    </message>
+    <message>
+        <source>Framed steps: the longest chain</source>
+        <translation>Étapes encadrées : la chaîne la plus longue</translation>
+    </message>
+    <message>
+        <source>Step %1: %2</source>
+        <translation>Étape %1 : %2</translation>
+    </message>
+    <message>
+        <source>base</source>
+        <translation>base</translation>
+    </message>
+    <message>
+        <source>Report of a path: %1</source>
+        <translation>Rapport d&apos;un chemin : %1</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Scénario</translation>
+    </message>
+    <message>
+        <source>Part that moves</source>
+        <translation>Pièce mobile</translation>
+    </message>
+    <message>
+        <source>Other parts</source>
+        <translation>Autres pièces</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>Stratégie</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longueur</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Rotations</translation>
+    </message>
+    <message>
+        <source>Configurations</source>
+        <translation>Configurations</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>Certificat</translation>
+    </message>
+    <message>
+        <source>The path is proved free of penetration: the part keeps the required clearance from all other parts at every time of the motion, not only at samples.</source>
+        <translation>Le chemin est prouvé sans pénétration : la pièce garde le jeu exigé à toutes les autres pièces à chaque instant du mouvement, et non seulement à des échantillons.</translation>
+    </message>
+    <message>
+        <source>Proved clearance</source>
+        <translation>Jeu prouvé</translation>
+    </message>
+    <message>
+        <source>Smallest clearance met</source>
+        <translation>Plus petit jeu rencontré</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>Edges that slide</source>
+        <translation>Segments qui glissent</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Forbidden places</source>
+        <translation>Lieux interdits</translation>
+    </message>
+    <message>
+        <source>the path keeps %1 from them</source>
+        <translation>le chemin en reste à %1</translation>
+    </message>
+    <message>
+        <source>Allowance</source>
+        <translation>Amincissement</translation>
+    </message>
+    <message>
+        <source>Not known</source>
+        <translation>Inconnu</translation>
+    </message>
+    <message>
+        <source>where these shapes of the file are: %1</source>
+        <translation>où sont ces formes du fichier : %1</translation>
+    </message>
+    <message>
+        <source>About triangles</source>
+        <translation>Sur des triangles</translation>
+    </message>
+    <message>
+        <source>within ± %1 of the CAD surfaces</source>
+        <translation>à ± %1 des surfaces CAO</translation>
+    </message>
+    <message>
+        <source>32-bit coordinates</source>
+        <translation>Coordonnées à 32 bits</translation>
+    </message>
+    <message>
+        <source>surfaces may be %1 nearer</source>
+        <translation>les surfaces peuvent être plus proches de %1</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Jeu</translation>
+    </message>
+    <message>
+        <source>Clearance along the path</source>
+        <translation>Jeu le long du chemin</translation>
+    </message>
+    <message>
+        <source>Distances of triangles to the nearest part at places of the path; the smallest is %1 to %2.</source>
+        <translation>Distances des triangles à la pièce la plus proche à des endroits du chemin ; la plus petite est %1 à %2.</translation>
+    </message>
+    <message>
+        <source>share of the path, %</source>
+        <translation>part du chemin, %</translation>
+    </message>
+    <message>
+        <source>clearance, mm</source>
+        <translation>jeu, mm</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Paramètres</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Paramètre</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Fichiers</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>SHA-256</source>
+        <translation>SHA-256</translation>
+    </message>
+    <message>
+        <source>All parts are boxes, cylinders and spheres of the scenario.</source>
+        <translation>Toutes les pièces sont des boîtes, des cylindres et des sphères du scénario.</translation>
+    </message>
+    <message>
+        <source>stays</source>
+        <translation>reste</translation>
+    </message>
+    <message>
+        <source>stuck</source>
+        <translation>bloquée</translation>
+    </message>
+    <message>
+        <source>Report of the sequence: %1</source>
+        <translation>Rapport de la séquence : %1</translation>
+    </message>
+    <message>
+        <source>Order of the steps</source>
+        <translation>Ordre des étapes</translation>
+    </message>
+    <message>
+        <source>An arrow leads from a step of the removal to each step that it makes way for.</source>
+        <translation>Une flèche mène d&apos;une étape du démontage à chaque étape à laquelle elle fait place.</translation>
+    </message>
+    <message>
+        <source>Product</source>
+        <translation>Produit</translation>
+    </message>
+    <message>
+        <source>Parts to assemble</source>
+        <translation>Pièces à monter</translation>
+    </message>
+    <message>
+        <source>Assembly steps</source>
+        <translation>Étapes du montage</translation>
+    </message>
+    <message>
+        <source>Parts without a step</source>
+        <translation>Pièces sans étape</translation>
+    </message>
+    <message>
+        <source>Every motion is certified: the part keeps its clearance from all parts that are there, on all of its way.</source>
+        <translation>Chaque mouvement est certifié : la pièce garde son jeu à toutes les pièces présentes, sur tout son chemin.</translation>
+    </message>
+    <message>
+        <source>The independent check agrees with %1 of %2 steps.</source>
+        <translation>La vérification indépendante confirme %1 étapes sur %2.</translation>
+    </message>
+    <message>
+        <source>The proof is about the product without these shapes of the file, which were not made into bodies: %1.</source>
+        <translation>La preuve porte sur le produit sans ces formes du fichier, dont aucun corps n&apos;a été fait : %1.</translation>
+    </message>
+    <message>
+        <source>The plan is valid only if %1.</source>
+        <translation>Le plan n&apos;est valable que si %1.</translation>
+    </message>
+    <message>
+        <source>%1 parts leave in groups that are not taken apart.</source>
+        <translation>%1 pièces partent dans des groupes qui ne sont pas démontés.</translation>
+    </message>
+    <message>
+        <source>The certificates are about triangles, which are within ± %1 of the CAD surfaces.</source>
+        <translation>Les certificats portent sur des triangles, à ± %1 des surfaces CAO.</translation>
+    </message>
+    <message>
+        <source>The product, exploded</source>
+        <translation>Le produit, éclaté</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Pièces</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Étape</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>Travail</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Outil</translation>
+    </message>
+    <message>
+        <source>Access of a hand, sampled</source>
+        <translation>Accès d&apos;une main, par échantillons</translation>
+    </message>
+    <message>
+        <source>%1 is not put on alone.</source>
+        <translation>%1 n&apos;est pas montée seule.</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2: %3</source>
+        <translation>Étape %1 sur %2 : %3</translation>
+    </message>
+    <message>
+        <source>Steps %1 to %2 of %3: %4</source>
+        <translation>Étapes %1 à %2 sur %3 : %4</translation>
+    </message>
+    <message>
+        <source>%1 on its way</source>
+        <translation>%1 sur son chemin</translation>
+    </message>
+    <message>
+        <source>Full name</source>
+        <translation>Nom complet</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>To be held</source>
+        <translation>À tenir</translation>
+    </message>
+    <message>
+        <source>Forced, although</source>
+        <translation>Forcée, bien que</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Found by</source>
+        <translation>Trouvé par</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Vérification</translation>
+    </message>
+    <message>
+        <source>%1 times: %2</source>
+        <translation>%1 fois : %2</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>not carried out</source>
+        <translation>non exécutée</translation>
+    </message>
+    <message>
+        <source>the independent check agrees</source>
+        <translation>la vérification indépendante confirme</translation>
+    </message>
+    <message>
+        <source>the independent check does not agree</source>
+        <translation>la vérification indépendante ne confirme pas</translation>
+    </message>
+    <message>
+        <source>no part is near</source>
+        <translation>aucune pièce n&apos;est proche</translation>
+    </message>
+    <message>
+        <source>at least %1, smallest %2 to %3</source>
+        <translation>au moins %1, le plus petit %2 à %3</translation>
+    </message>
+    <message>
+        <source>No motion was found for these parts. They are in the product from the beginning.</source>
+        <translation>Aucun mouvement n&apos;a été trouvé pour ces pièces. Elles sont dans le produit dès le début.</translation>
+    </message>
+    <message>
+        <source>Blocked by</source>
+        <translation>Bloquée par</translation>
+    </message>
+    <message>
+        <source>+X</source>
+        <translation>+X</translation>
+    </message>
+    <message>
+        <source>−X</source>
+        <translation>−X</translation>
+    </message>
+    <message>
+        <source>+Y</source>
+        <translation>+Y</translation>
+    </message>
+    <message>
+        <source>−Y</source>
+        <translation>−Y</translation>
+    </message>
+    <message>
+        <source>up (+Z)</source>
+        <translation>haut (+Z)</translation>
+    </message>
+    <message>
+        <source>down (−Z)</source>
+        <translation>bas (−Z)</translation>
+    </message>
+    <message>
+        <source>hex key</source>
+        <translation>clé à six pans</translation>
+    </message>
+    <message>
+        <source>socket</source>
+        <translation>clé à douille</translation>
+    </message>
+    <message>
+        <source>screwdriver</source>
+        <translation>tournevis</translation>
+    </message>
+    <message>
+        <source>open wrench</source>
+        <translation>clé plate</translation>
+    </message>
+    <message>
+        <source>%1 at %2, %3 is held</source>
+        <translation>%1 sur %2, en maintenant %3</translation>
+    </message>
+    <message>
+        <source>%1, blocked by %2</source>
+        <translation>%1, bloqué par %2</translation>
+    </message>
+    <message>
+        <source>hold %1</source>
+        <translation>tenir %1</translation>
+    </message>
+    <message>
+        <source>demanded before it: %1</source>
+        <translation>exigés avant elle : %1</translation>
+    </message>
+    <message>
+        <source>nuts still on it: %1</source>
+        <translation>écrous encore dessus : %1</translation>
+    </message>
+    <message>
+        <source>falling: %1</source>
+        <translation>tombent : %1</translation>
+    </message>
+    <message>
+        <source>still joined to it: %1</source>
+        <translation>encore assemblés avec elle : %1</translation>
+    </message>
+    <message>
+        <source>demanded at another place</source>
+        <translation>exigée à une autre place</translation>
+    </message>
+    <message>
+        <source>the largest part</source>
+        <translation>la plus grande pièce</translation>
+    </message>
+    <message>
+        <source>as a person says</source>
+        <translation>comme une personne l&apos;a dit</translation>
+    </message>
+    <message>
+        <source>turn out of %1, %2 turns</source>
+        <translation>dévisser de %1, %2 tours</translation>
+    </message>
+    <message>
+        <source>turn into %1, %2 turns</source>
+        <translation>visser dans %1, %2 tours</translation>
+    </message>
+    <message>
+        <source>turn off nut %1, %2 turns</source>
+        <translation>dévisser l&apos;écrou %1, %2 tours</translation>
+    </message>
+    <message>
+        <source>screw on nut %1, %2 turns</source>
+        <translation>visser l&apos;écrou %1, %2 tours</translation>
+    </message>
+    <message>
+        <source>turn out screw %1, %2 turns</source>
+        <translation>dévisser la vis %1, %2 tours</translation>
+    </message>
+    <message>
+        <source>screw in %1, %2 turns</source>
+        <translation>visser %1, %2 tours</translation>
+    </message>
+    <message>
+        <source>unscrew from %1, %2 turns</source>
+        <translation>dévisser de %1, %2 tours</translation>
+    </message>
+    <message>
+        <source>screw together with %1, %2 turns</source>
+        <translation>visser avec %1, %2 tours</translation>
+    </message>
+    <message>
+        <source>press out of %1</source>
+        <translation>chasser de %1</translation>
+    </message>
+    <message>
+        <source>press into %1</source>
+        <translation>emmancher dans %1</translation>
+    </message>
+    <message>
+        <source>pull out of %1</source>
+        <translation>tirer de %1</translation>
+    </message>
+    <message>
+        <source>put into %1</source>
+        <translation>mettre dans %1</translation>
+    </message>
+    <message>
+        <source>bent by %1</source>
+        <translation>fléchi de %1</translation>
+    </message>
+    <message>
+        <source>take off %1</source>
+        <translation>enlever de %1</translation>
+    </message>
+    <message>
+        <source>lay on %1</source>
+        <translation>poser sur %1</translation>
+    </message>
+    <message>
+        <source>%1 turns out, then %2</source>
+        <translation>%1 tours pour dévisser, puis %2</translation>
+    </message>
+    <message>
+        <source>%2, then %1 turns in</source>
+        <translation>%2, puis %1 tours pour visser</translation>
+    </message>
+    <message>
+        <source>does not move</source>
+        <translation>ne bouge pas</translation>
+    </message>
+    <message>
+        <source>around obstacles, %1, out %2</source>
+        <translation>en contournant des obstacles, %1, sortie %2</translation>
+    </message>
+    <message>
+        <source>around obstacles, %1, in %2</source>
+        <translation>en contournant des obstacles, %1, entrée %2</translation>
+    </message>
+    <message>
+        <source>, then </source>
+        <translation>, puis </translation>
+    </message>
+    <message>
+        <source>%1, %2, turning %3 about %4</source>
+        <translation>%1, %2, en tournant de %3 autour de l&apos;axe %4</translation>
+    </message>
+    <message>
+        <source>turn %1 about %2</source>
+        <translation>rotation de %1 autour de l&apos;axe %2</translation>
+    </message>
+    <message>
+        <source>%1 without what its screw fills (no hole in the file)</source>
+        <translation>%1 sans ce que sa vis remplit (aucun trou dans le fichier)</translation>
+    </message>
+    <message>
+        <source>without what its screw %1 fills (no hole in the file)</source>
+        <translation>sans ce que sa vis %1 remplit (aucun trou dans le fichier)</translation>
+    </message>
+    <message>
+        <source>%1 without what overlaps it, up to %2 deep (accepted clash)</source>
+        <translation>%1 sans ce qui y pénètre, jusqu&apos;à %2 de profondeur (collision acceptée)</translation>
+    </message>
+    <message>
+        <source>without what overlaps %2, up to %1 deep (accepted clash)</source>
+        <translation>sans ce qui pénètre dans %2, jusqu&apos;à %1 de profondeur (collision acceptée)</translation>
+    </message>
+    <message>
+        <source>, as a person allows</source>
+        <translation>, comme une personne le permet</translation>
+    </message>
+    <message>
+        <source>%1 taken %2 thinner (%3)</source>
+        <translation>%1 amincie de %2 (%3)</translation>
+    </message>
+    <message>
+        <source>taken %1 thinner against %2 (%3)</source>
+        <translation>amincie de %1 face à %2 (%3)</translation>
+    </message>
+    <message>
+        <source>is not &quot;glissade-study-run&quot;</source>
+        <translation>n&apos;est pas « glissade-study-run »</translation>
+    </message>
+    <message>
+        <source>is not a status</source>
+        <translation>n&apos;est pas un état</translation>
+    </message>
+    <message>
+        <source>cannot be made: %1</source>
+        <translation>ne peut pas être créé : %1</translation>
+    </message>
+    <message>
+        <source>Choose another --out.</source>
+        <translation>Choisissez un autre --out.</translation>
+    </message>
+    <message>
+        <source>holds results of another study, of another version of it or of Glissade, or of its other size (--quick)</source>
+        <translation>contient les résultats d&apos;une autre étude, d&apos;une autre version de l&apos;étude ou de Glissade, ou de son autre taille (--quick)</translation>
+    </message>
+    <message>
+        <source>Choose another --out, or remove that folder.</source>
+        <translation>Choisissez un autre --out, ou supprimez ce dossier.</translation>
+    </message>
+    <message>
+        <source>is not a folder of study results</source>
+        <translation>n&apos;est pas un dossier de résultats d&apos;étude</translation>
+    </message>
+    <message>
+        <source>Choose a new folder as --out.</source>
+        <translation>Choisissez un nouveau dossier pour --out.</translation>
+    </message>
+    <message>
+        <source>is of another plan</source>
+        <translation>vient d&apos;un autre plan</translation>
+    </message>
+    <message>
+        <source>It is left out.</source>
+        <translation>Il est laissé de côté.</translation>
+    </message>
+    <message>
+        <source>the scenario of the study is no longer there</source>
+        <translation>le scénario de l&apos;étude n&apos;existe plus</translation>
+    </message>
+    <message>
+        <source>Put it back, or write the place of the study file into %1.</source>
+        <translation>Remettez-le, ou écrivez l&apos;emplacement du fichier de l&apos;étude dans %1.</translation>
+    </message>
+    <message>
+        <source>has another result than a folder named before it</source>
+        <translation>a un autre résultat qu&apos;un dossier nommé avant lui</translation>
+    </message>
+    <message>
+        <source>The same run must end the same everywhere: look for different builds of Glissade.</source>
+        <translation>Le même essai doit finir partout de la même façon : cherchez des versions différentes de Glissade.</translation>
+    </message>
+    <message>
+        <source>is of another study, version or size than %1</source>
+        <translation>est d&apos;une autre étude, version ou taille que %1</translation>
+    </message>
+    <message>
+        <source>Merge folders of one study, made by one version of Glissade.</source>
+        <translation>Réunissez des dossiers d&apos;une même étude, faits par une même version de Glissade.</translation>
+    </message>
+    <message>
+        <source>has no &apos;%1&apos;</source>
+        <translation>n&apos;a pas de « %1 »</translation>
+    </message>
+    <message>
+        <source>is not &quot;glissade-study-plan&quot;</source>
+        <translation>n&apos;est pas « glissade-study-plan »</translation>
+    </message>
+    <message>
+        <source>%1 over %2</source>
+        <translation>%1 selon %2</translation>
+    </message>
+    <message>
+        <source>%1 over scenario and strategy</source>
+        <translation>%1 selon le scénario et la stratégie</translation>
+    </message>
+    <message>
+        <source>, OMPL&apos;s edges looked at every %1 %</source>
+        <translation>, arêtes d&apos;OMPL regardées tous les %1 %</translation>
+    </message>
+    <message>
+        <source>%1, with Wilson&apos;s 95 % interval.</source>
+        <translation>%1, avec l&apos;intervalle de Wilson à 95 %.</translation>
+    </message>
+    <message>
+        <source>%1, with quartiles.</source>
+        <translation>%1, avec les quartiles.</translation>
+    </message>
+    <message>
+        <source>Above each bar: success rate in %.</source>
+        <translation>Au-dessus de chaque barre : taux de réussite en %.</translation>
+    </message>
+    <message>
+        <source>Not on this axis: %1.</source>
+        <translation>Hors de cet axe : %1.</translation>
+    </message>
+    <message>
+        <source>%1: %2 (%3 to %4), %5 of %6 solved</source>
+        <translation>%1 : %2 (%3 à %4), %5 sur %6 résolus</translation>
+    </message>
+    <message>
+        <source>%1, paper: %2</source>
+        <translation>%1, article : %2</translation>
+    </message>
+    <message>
+        <source>paper</source>
+        <translation>article</translation>
+    </message>
+    <message>
+        <source>is there a second time</source>
+        <translation>y est une seconde fois</translation>
+    </message>
+    <message>
+        <source>See &apos;glissade-cli plan --help&apos;; &apos;_&apos; stands for &apos;-&apos;.</source>
+        <translation>Voyez « glissade-cli plan --help » ; « _ » y remplace « - ».</translation>
+    </message>
+    <message>
+        <source>is a limit</source>
+        <translation>est une limite</translation>
+    </message>
+    <message>
+        <source>Move it to &quot;limits&quot;.</source>
+        <translation>Déplacez-le dans « limits ».</translation>
+    </message>
+    <message>
+        <source>is not &quot;glissade-study&quot;</source>
+        <translation>n&apos;est pas « glissade-study »</translation>
+    </message>
+    <message>
+        <source>strategy</source>
+        <translation>stratégie</translation>
+    </message>
+    <message>
+        <source>operator</source>
+        <translation>opérateur</translation>
+    </message>
+    <message>
+        <source>is beyond %1</source>
+        <translation>dépasse %1</translation>
+    </message>
+    <message>
+        <source>Labels name rows.</source>
+        <translation>Les étiquettes nomment des lignes.</translation>
+    </message>
+    <message>
+        <source>makes too many runs</source>
+        <translation>fait trop d&apos;essais</translation>
+    </message>
+    <message>
+        <source>Vary less, or less finely.</source>
+        <translation>Faites varier moins, ou moins finement.</translation>
+    </message>
+    <message>
+        <source>is not a column of &quot;paper&quot;</source>
+        <translation>n&apos;est pas une colonne de « paper »</translation>
+    </message>
+    <message>
+        <source>Use one of: %1.</source>
+        <translation>Utilisez l&apos;une de ces valeurs : %1.</translation>
+    </message>
+    <message>
+        <source>row</source>
+        <translation>ligne</translation>
+    </message>
+    <message>
+        <source>scenario</source>
+        <translation>scénario</translation>
+    </message>
+    <message>
+        <source>is a sequence with an operator</source>
+        <translation>est une séquence avec un opérateur</translation>
+    </message>
+    <message>
+        <source>Say &quot;none&quot;.</source>
+        <translation>Indiquez « none ».</translation>
+    </message>
+    <message>
+        <source>is a sequence without a time limit</source>
+        <translation>est une séquence sans limite de temps</translation>
+    </message>
+    <message>
+        <source>Give time_limit under &quot;limits&quot;.</source>
+        <translation>Donnez time_limit sous « limits ».</translation>
+    </message>
+    <message>
+        <source>is a sequence, which has no parameter %1</source>
+        <translation>est une séquence, qui n&apos;a pas de paramètre %1</translation>
+    </message>
+    <message>
+        <source>Give limits only.</source>
+        <translation>Ne donnez que des limites.</translation>
+    </message>
+    <message>
+        <source>has no scenario</source>
+        <translation>n&apos;a pas de scénario</translation>
+    </message>
+    <message>
+        <source>Add &quot;scenarios&quot;.</source>
+        <translation>Ajoutez « scenarios ».</translation>
+    </message>
+    <message>
+        <source>has no strategy</source>
+        <translation>n&apos;a pas de stratégie</translation>
+    </message>
+    <message>
+        <source>Add &quot;strategies&quot;.</source>
+        <translation>Ajoutez « strategies ».</translation>
+    </message>
+    <message>
+        <source>has no seeds</source>
+        <translation>n&apos;a pas de graines</translation>
+    </message>
+    <message>
+        <source>Add &quot;seeds&quot;.</source>
+        <translation>Ajoutez « seeds ».</translation>
+    </message>
+    <message>
+        <source>may run for ever</source>
+        <translation>pourrait ne jamais finir</translation>
+    </message>
+    <message>
+        <source>Give time_limit, max_steps or max_samples under &quot;limits&quot;.</source>
+        <translation>Donnez time_limit, max_steps ou max_samples sous « limits ».</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Étude</translation>
+    </message>
+    <message>
+        <source>%1, quick size</source>
+        <translation>%1, taille rapide</translation>
+    </message>
+    <message>
+        <source>%1, full size</source>
+        <translation>%1, taille complète</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Essais</translation>
+    </message>
+    <message>
+        <source>%1 of %2, %3 of them solved, in %4 cells</source>
+        <translation>%1 sur %2, dont %3 résolus, en %4 cellules</translation>
+    </message>
+    <message>
+        <source>Scenarios</source>
+        <translation>Scénarios</translation>
+    </message>
+    <message>
+        <source>Strategies</source>
+        <translation>Stratégies</translation>
+    </message>
+    <message>
+        <source>Operators</source>
+        <translation>Opérateurs</translation>
+    </message>
+    <message>
+        <source>Study file, SHA-256</source>
+        <translation>Fichier de l&apos;étude, SHA-256</translation>
+    </message>
+    <message>
+        <source>Plan, SHA-256</source>
+        <translation>Plan, SHA-256</translation>
+    </message>
+    <message>
+        <source>Typical roadmaps</source>
+        <translation>Graphes typiques</translation>
+    </message>
+    <message>
+        <source>How to repeat it</source>
+        <translation>Comment le refaire</translation>
+    </message>
+    <message>
+        <source>The whole study, from the folder of its file:</source>
+        <translation>Toute l&apos;étude, depuis le dossier de son fichier :</translation>
+    </message>
+    <message>
+        <source>The first run of each cell, from the same folder; the others differ in their --seed only:</source>
+        <translation>Le premier essai de chaque cellule, depuis le même dossier ; les autres n&apos;en diffèrent que par --seed :</translation>
+    </message>
+    <message>
+        <source>After: %1.</source>
+        <translation>D&apos;après : %1.</translation>
+    </message>
+    <message>
+        <source>What was run</source>
+        <translation>Ce qui a été calculé</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Résultats</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s table, and ours</source>
+        <translation>Le tableau de l&apos;article, et le nôtre</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Constats</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Courbes</translation>
+    </message>
+    <message>
+        <source>How runs ended</source>
+        <translation>Comment les essais se sont terminés</translation>
+    </message>
+    <message>
+        <source>Time on the machine</source>
+        <translation>Temps sur la machine</translation>
+    </message>
+    <message>
+        <source>Seconds and memory are those of the machines that carried out the runs; they differ from machine to machine, and of what stands above only what names them depends on them. This report was written on %1.</source>
+        <translation>Les secondes et la mémoire sont celles des machines qui ont fait les essais ; elles diffèrent d&apos;une machine à l&apos;autre, et de ce qui précède seul ce qui les nomme en dépend. Ce rapport a été écrit sur : %1.</translation>
+    </message>
+    <message>
+        <source>Ours: median or mean as the column says, quartiles in brackets; success with Wilson&apos;s 95 % interval.</source>
+        <translation>Le nôtre : médiane ou moyenne selon la colonne, quartiles entre parenthèses ; réussite avec l&apos;intervalle de Wilson à 95 %.</translation>
+    </message>
+    <message>
+        <source>Row</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Solved</source>
+        <translation>Résolus</translation>
+    </message>
+    <message>
+        <source>Success</source>
+        <translation>Réussite</translation>
+    </message>
+    <message>
+        <source>%1, paper</source>
+        <translation>%1, article</translation>
+    </message>
+    <message>
+        <source>%1, ours</source>
+        <translation>%1, Glissade</translation>
+    </message>
+    <message>
+        <source>Note on the paper</source>
+        <translation>Remarque sur l&apos;article</translation>
+    </message>
+    <message>
+        <source>Each compares every pair of cells that it speaks of; the numbers are of the pair that speaks most against it.</source>
+        <translation>Chacun compare toutes les paires de cellules dont il parle ; les nombres sont ceux de la paire qui le contredit le plus.</translation>
+    </message>
+    <message>
+        <source>Finding</source>
+        <translation>Constat</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Paires</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Grandeur</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Nombres</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Opérateur</translation>
+    </message>
+    <message>
+        <source>Planned</source>
+        <translation>Prévus</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Faits</translation>
+    </message>
+    <message>
+        <source>Median and quartiles over all runs.</source>
+        <translation>Médiane et quartiles de tous les essais.</translation>
+    </message>
+    <message>
+        <source>Planning (s)</source>
+        <translation>Planification (s)</translation>
+    </message>
+    <message>
+        <source>Planning (CPU s)</source>
+        <translation>Planification (s de processeur)</translation>
+    </message>
+    <message>
+        <source>Process (s)</source>
+        <translation>Processus (s)</translation>
+    </message>
+    <message>
+        <source>Process (CPU s)</source>
+        <translation>Processus (s de processeur)</translation>
+    </message>
+    <message>
+        <source>Memory (MB)</source>
+        <translation>Mémoire (Mo)</translation>
+    </message>
+    <message>
+        <source>interrupted with %1 of %2 runs done</source>
+        <translation>interrompu après %1 essais sur %2</translation>
+    </message>
+    <message>
+        <source>The same command goes on from here.</source>
+        <translation>La même commande continue à partir d&apos;ici.</translation>
+    </message>
+    <message>
+        <source>solved</source>
+        <translation>résolu</translation>
+    </message>
+    <message>
+        <source>no-path</source>
+        <translation>sans chemin</translation>
+    </message>
+    <message>
+        <source>limit-reached</source>
+        <translation>limite atteinte</translation>
+    </message>
+    <message>
+        <source>in-collision</source>
+        <translation>en collision</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>erreur</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>temps</translation>
+    </message>
+    <message>
+        <source>memory</source>
+        <translation>mémoire</translation>
+    </message>
+    <message>
+        <source>crashed</source>
+        <translation>interrompu</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>vérifié</translation>
+    </message>
+    <message>
+        <source>does not hold</source>
+        <translation>réfuté</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>en suspens</translation>
+    </message>
+    <message>
+        <source>success rate</source>
+        <translation>taux de réussite</translation>
+    </message>
+    <message>
+        <source>virtual s</source>
+        <translation>temps virtuel (s)</translation>
+    </message>
+    <message>
+        <source>nodes</source>
+        <translation>nœuds</translation>
+    </message>
+    <message>
+        <source>edges</source>
+        <translation>arêtes</translation>
+    </message>
+    <message>
+        <source>random configurations</source>
+        <translation>configurations aléatoires</translation>
+    </message>
+    <message>
+        <source>Virtual time (s)</source>
+        <translation>Temps virtuel (s)</translation>
+    </message>
+    <message>
+        <source>Table I: influence of α without contact, environment 1</source>
+        <translation>Tableau I : influence de α sans contact, environnement 1</translation>
+    </message>
+    <message>
+        <source>Table II: influence of α with contact, environment 1</source>
+        <translation>Tableau II : influence de α avec contact, environnement 1</translation>
+    </message>
+    <message>
+        <source>Table III: influence of the number of contact samples N, environment 1</source>
+        <translation>Tableau III : influence du nombre N d&apos;échantillons de contact, environnement 1</translation>
+    </message>
+    <message>
+        <source>Table IV: influence of the contact distance d, environment 1</source>
+        <translation>Tableau IV : influence de la distance de contact d, environnement 1</translation>
+    </message>
+    <message>
+        <source>Table V: influence of α with contact, environment 2</source>
+        <translation>Tableau V : influence de α avec contact, environnement 2</translation>
+    </message>
+    <message>
+        <source>Figure 14: strategies on the shape game</source>
+        <translation>Figure 14 : stratégies sur le jeu de formes</translation>
+    </message>
+    <message>
+        <source>Figure 14 on the roomier shape game</source>
+        <translation>Figure 14 sur le jeu de formes plus large</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>Temps (s)</translation>
+    </message>
+    <message>
+        <source>Nodes</source>
+        <translation>Nœuds</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Arêtes</translation>
+    </message>
+    <message>
+        <source>Success rate</source>
+        <translation>Taux de réussite</translation>
+    </message>
+    <message>
+        <source>Random configurations</source>
+        <translation>Configurations aléatoires</translation>
+    </message>
+    <message>
+        <source>Random configurations (mean)</source>
+        <translation>Configurations aléatoires (moyenne)</translation>
+    </message>
+    <message>
+        <source>Any operator beats none by more than ten times in nodes.</source>
+        <translation>Un opérateur quel qu&apos;il soit fait mieux que personne, de plus de dix fois en nœuds.</translation>
+    </message>
+    <message>
+        <source>Any operator beats none by more than fifty times in time.</source>
+        <translation>Un opérateur quel qu&apos;il soit fait mieux que personne, de plus de cinquante fois en temps.</translation>
+    </message>
+    <message>
+        <source>Any operator beats none by more than a hundred times in time.</source>
+        <translation>Un opérateur quel qu&apos;il soit fait mieux que personne, de plus de cent fois en temps.</translation>
+    </message>
+    <message>
+        <source>Small α is slow without contact: α = 0.3 to 0.1 take more than twice the time of α = 0.95 to 0.4.</source>
+        <translation>Sans contact un petit α est lent : α = 0.3 à 0.1 prennent plus de deux fois le temps de α = 0.95 à 0.4.</translation>
+    </message>
+    <message>
+        <source>α = 0.95 is the fastest row.</source>
+        <translation>α = 0.95 est la ligne la plus rapide.</translation>
+    </message>
+    <message>
+        <source>With contact small α is fast: α = 0.2 to 0.01 need fewer nodes than α = 0.8 and 0.5.</source>
+        <translation>Avec contact un petit α est rapide : α = 0.2 à 0.01 demandent moins de nœuds que α = 0.8 et 0.5.</translation>
+    </message>
+    <message>
+        <source>α = 0.08 is the fastest row.</source>
+        <translation>α = 0.08 est la ligne la plus rapide.</translation>
+    </message>
+    <message>
+        <source>With contact even the operator alone, α = 0, finds a path every time.</source>
+        <translation>Avec contact même l&apos;opérateur seul, α = 0, trouve un chemin à chaque fois.</translation>
+    </message>
+    <message>
+        <source>N has little influence on environment 1: within a factor of four in time.</source>
+        <translation>N a peu d&apos;influence sur l&apos;environnement 1 : moins d&apos;un facteur quatre en temps.</translation>
+    </message>
+    <message>
+        <source>N has little influence on environment 1: within a factor of two in nodes.</source>
+        <translation>N a peu d&apos;influence sur l&apos;environnement 1 : moins d&apos;un facteur deux en nœuds.</translation>
+    </message>
+    <message>
+        <source>N = 5 is the fastest row.</source>
+        <translation>N = 5 est la ligne la plus rapide.</translation>
+    </message>
+    <message>
+        <source>d has little influence on environment 1: within a factor of two in time.</source>
+        <translation>d a peu d&apos;influence sur l&apos;environnement 1 : moins d&apos;un facteur deux en temps.</translation>
+    </message>
+    <message>
+        <source>d has little influence on environment 1: within a factor of 1.2 in nodes.</source>
+        <translation>d a peu d&apos;influence sur l&apos;environnement 1 : moins d&apos;un facteur 1.2 en nœuds.</translation>
+    </message>
+    <message>
+        <source>The BiRRT alone finds no path.</source>
+        <translation>Le BiRRT seul ne trouve pas de chemin.</translation>
+    </message>
+    <message>
+        <source>Contact beats no contact at equal α = 0.5 by more than ten times in time.</source>
+        <translation>À α = 0.5 égal, le contact fait mieux que son absence de plus de dix fois en temps.</translation>
+    </message>
+    <message>
+        <source>Contact beats no contact at equal α = 0.5 in nodes.</source>
+        <translation>À α = 0.5 égal, le contact fait mieux que son absence en nœuds.</translation>
+    </message>
+    <message>
+        <source>Extremes of α are worse: α = 0.98, 0.95 and 0.05 take longer than any between.</source>
+        <translation>Les extrêmes de α sont moins bons : α = 0.98, 0.95 et 0.05 prennent plus de temps que tous les autres entre eux.</translation>
+    </message>
+    <message>
+        <source>α = 0, the operator alone, finds no path.</source>
+        <translation>α = 0, l&apos;opérateur seul, ne trouve pas de chemin.</translation>
+    </message>
+    <message>
+        <source>G fails on the pentagon and the star.</source>
+        <translation>G échoue sur le pentagone et l&apos;étoile.</translation>
+    </message>
+    <message>
+        <source>G succeeds on the circle, the square and the triangle.</source>
+        <translation>G réussit sur le cercle, le carré et le triangle.</translation>
+    </message>
+    <message>
+        <source>GT fails where the nearest hole does not fit: circle, square, star.</source>
+        <translation>GT échoue là où le trou le plus proche ne convient pas : cercle, carré, étoile.</translation>
+    </message>
+    <message>
+        <source>GTS1 fails on the star, which has no hole of its shape.</source>
+        <translation>GTS1 échoue sur l&apos;étoile, qui n&apos;a pas de trou de sa forme.</translation>
+    </message>
+    <message>
+        <source>GTS2 succeeds most often of the paper&apos;s four on the star.</source>
+        <translation>GTS2 est celle des quatre de l&apos;article qui réussit le plus souvent sur l&apos;étoile.</translation>
+    </message>
+    <message>
+        <source>GTS2 needs less than a tenth of G&apos;s random configurations on the square, the triangle, the pentagon and the star.</source>
+        <translation>GTS2 demande moins d&apos;un dixième des configurations aléatoires de G sur le carré, le triangle, le pentagone et l&apos;étoile.</translation>
+    </message>
+    <message>
+        <source>Our GTS needs fewer random configurations than any of the paper&apos;s.</source>
+        <translation>Notre GTS demande moins de configurations aléatoires que toutes celles de l&apos;article.</translation>
+    </message>
+    <message>
+        <source>α is the share of the computer; α = 1 is the plain BiRRT, without any operator. Lockstep at 40 planner steps a second of the operator&apos;s time, as fast as the paper&apos;s planner with him.</source>
+        <translation>α est la part de l&apos;ordinateur ; α = 1 est le BiRRT simple, sans aucun opérateur. Pas à pas, 40 pas du planificateur par seconde de l&apos;opérateur : l&apos;allure du planificateur de l&apos;article avec lui.</translation>
+    </message>
+    <message>
+        <source>As table I, with contact sampling near obstacles (N = 10, d = 0.15 m). Lockstep at 40 planner steps a second of the operator&apos;s time, as fast as the paper&apos;s planner with him.</source>
+        <translation>Comme le tableau I, avec échantillonnage au contact près des obstacles (N = 10, d = 0.15 m). Pas à pas, 40 pas du planificateur par seconde de l&apos;opérateur : l&apos;allure du planificateur de l&apos;article avec lui.</translation>
+    </message>
+    <message>
+        <source>α = 0.2, d = 0.15 m. Lockstep at 40 planner steps a second of the operator&apos;s time, as fast as the paper&apos;s planner with him.</source>
+        <translation>α = 0.2, d = 0.15 m. Pas à pas, 40 pas du planificateur par seconde de l&apos;opérateur : l&apos;allure du planificateur de l&apos;article avec lui.</translation>
+    </message>
+    <message>
+        <source>α = 0.2, N = 5. Lockstep at 40 planner steps a second of the operator&apos;s time, as fast as the paper&apos;s planner with him.</source>
+        <translation>α = 0.2, N = 5. Pas à pas, 40 pas du planificateur par seconde de l&apos;opérateur : l&apos;allure du planificateur de l&apos;article avec lui.</translation>
+    </message>
+    <message>
+        <source>N = 10, d = 0.15 m; with what section III.G says of the plain BiRRT, of no contact and of α = 0. Lockstep at 40 planner steps a second of the operator&apos;s time, as fast as the paper&apos;s planner with him.</source>
+        <translation>N = 10, d = 0.15 m ; avec ce que dit la section III.G du BiRRT simple, de l&apos;absence de contact et de α = 0. Pas à pas, 40 pas du planificateur par seconde de l&apos;opérateur : l&apos;allure du planificateur de l&apos;article avec lui.</translation>
+    </message>
+    <message>
+        <source>Preset &quot;tight&quot;, the limits of section 6.1: 100,000 random configurations a topological step, 2,000 a border, 1,000,000 for G. GTS is ours: computed compatibility, scores, a loop.</source>
+        <translation>Variante « tight », limites de la section 6.1 : 100 000 configurations aléatoires par étape topologique, 2 000 par frontière, 1 000 000 pour G. GTS est la nôtre : compatibilité calculée, notes, boucle.</translation>
+    </message>
+    <message>
+        <source>Preset &quot;paper-like&quot;: wider holes, as the drawings of the paper suggest. The limits of section 6.1.</source>
+        <translation>Variante « paper-like » : trous plus larges, comme le suggèrent les dessins de l&apos;article. Limites de la section 6.1.</translation>
+    </message>
+    <message>
+        <source>printed as 2h45m</source>
+        <translation>imprimé « 2h45m »</translation>
+    </message>
+    <message>
+        <source>edges as printed; violates edges=2*nodes-2 (2566 expected); 1074 equals the alpha=0.08 row of Table II, so probably a copy error</source>
+        <translation>arêtes telles qu&apos;imprimées ; contredit arêtes = 2·nœuds − 2 (2566 attendues) ; 1074 est la ligne α = 0.08 du tableau II, donc sans doute une erreur de copie</translation>
+    </message>
+    <message>
+        <source>fastest row</source>
+        <translation>ligne la plus rapide</translation>
+    </message>
+    <message>
+        <source>printed as 2h45m; same run as Table I (alpha=1 never enters contact)</source>
+        <translation>imprimé « 2h45m » ; même essai qu&apos;au tableau I (α = 1 n&apos;entre jamais en contact)</translation>
+    </message>
+    <message>
+        <source>one edge pair short of 2*nodes-2 (3456)</source>
+        <translation>une paire d&apos;arêtes de moins que 2·nœuds − 2 (3456)</translation>
+    </message>
+    <message>
+        <source>section III.G</source>
+        <translation>section III.G</translation>
+    </message>
+    <message>
+        <source>odd edge count as printed (4050 expected)</source>
+        <translation>nombre impair d&apos;arêtes, tel qu&apos;imprimé (4050 attendues)</translation>
+    </message>
+    <message>
+        <source>pentagon hole, narrow</source>
+        <translation>trou pentagonal, étroit</translation>
+    </message>
+    <message>
+        <source>mostly pentagon hole</source>
+        <translation>le plus souvent le trou pentagonal</translation>
+    </message>
+    <message>
+        <source>triangular hole, not the larger passage (text)</source>
+        <translation>trou triangulaire, non le passage plus large (texte)</translation>
+    </message>
+    <message>
+        <source>mainly pentagon hole</source>
+        <translation>surtout le trou pentagonal</translation>
+    </message>
+    <message>
+        <source>pentagon hole, large</source>
+        <translation>trou pentagonal, large</translation>
+    </message>
+    <message>
+        <source>pentagon hole, largest</source>
+        <translation>trou pentagonal, le plus large</translation>
+    </message>
+    <message>
+        <source>triangular hole (not compatible)</source>
+        <translation>trou triangulaire (non compatible)</translation>
+    </message>
+    <message>
+        <source>square hole, large (semantic)</source>
+        <translation>trou carré, large (sémantique)</translation>
+    </message>
+    <message>
+        <source>round hole, large (semantic)</source>
+        <translation>trou rond, large (sémantique)</translation>
+    </message>
+    <message>
+        <source>square hole, large</source>
+        <translation>trou carré, large</translation>
+    </message>
+    <message>
+        <source>Five rigid-body problems of OMPL.app, which are not part of Glissade: they are looked for in shared/problems/omplapp beside its folder. OMPL&apos;s planners run as OMPL&apos;s users run them: its metric and defaults, collisions by FCL, edges looked at every 1 % or 0.1 % of the extent, the range its default (20 % of the extent), 3 % or 1 %. Our certificate judges their paths; one that it refuses (not-certified) is not solved. Seconds are of the processor, but auto, which plans in lanes, is held to what one waits; over all runs: one that was not solved counts with the time it had.</source>
+        <translation>Cinq problèmes de corps rigides d&apos;OMPL.app, qui ne font pas partie de Glissade : on les cherche dans shared/problems/omplapp à côté de son dossier. Les planificateurs d&apos;OMPL tournent comme chez leurs utilisateurs : métrique et valeurs par défaut d&apos;OMPL, collisions par FCL, arêtes regardées tous les 1 % ou 0,1 % de l&apos;étendue, portée par défaut (20 % de l&apos;étendue), 3 % ou 1 %. Notre certificat juge leurs chemins ; celui qu&apos;il refuse (non certifié) n&apos;est pas résolu. Les secondes sont celles du processeur, mais auto, qui planifie sur plusieurs voies, est jugé au temps d&apos;attente ; sur tous les essais : un essai non résolu compte avec le temps qu&apos;il a eu.</translation>
+    </message>
+    <message>
+        <source>Problems nobody here wrote: auto beside OMPL&apos;s planners</source>
+        <translation>Des problèmes que personne ici n&apos;a écrits : auto à côté des planificateurs d&apos;OMPL</translation>
+    </message>
+    <message>
+        <source>Problems of our own making: auto beside OMPL&apos;s planners</source>
+        <translation>Des problèmes que nous avons faits : auto à côté des planificateurs d&apos;OMPL</translation>
+    </message>
+    <message>
+        <source>Spirals, mazes, furniture in rooms and twisted tubes, as generate-made-problems writes them; generator and seeds were fixed before the first run. OMPL&apos;s planners run as OMPL&apos;s users run them: its metric and defaults, collisions by FCL, edges looked at every 0.1 % of the extent, the range its default (20 % of the extent), 3 % or 1 %. Our certificate judges their paths; one that it refuses (not-certified) is not solved. Seconds are of the processor; over all runs: one that was not solved counts with the time it had.</source>
+        <translation>Spirales, labyrinthes, meubles dans des pièces et tubes tordus, tels que generate-made-problems les écrit ; le générateur et les graines ont été fixés avant le premier essai. Les planificateurs d&apos;OMPL tournent comme chez leurs utilisateurs : métrique et valeurs par défaut d&apos;OMPL, collisions par FCL, arêtes regardées tous les 0,1 % de l&apos;étendue, portée par défaut (20 % de l&apos;étendue), 3 % ou 1 %. Notre certificat juge leurs chemins ; celui qu&apos;il refuse (non certifié) n&apos;est pas résolu. Les secondes sont celles du processeur ; sur tous les essais : un essai non résolu compte avec le temps qu&apos;il a eu.</translation>
+    </message>
+    <message>
+        <source>auto takes a quarter of the processor time of OMPL&apos;s best.</source>
+        <translation>auto prend un quart du temps de processeur du meilleur d&apos;OMPL.</translation>
+    </message>
+    <message>
+        <source>RRT-Connect, range 3 %</source>
+        <translation>RRT-Connect, portée 3 %</translation>
+    </message>
+    <message>
+        <source>RRT-Connect, range 1 %</source>
+        <translation>RRT-Connect, portée 1 %</translation>
+    </message>
+    <message>
+        <source>auto solves 18 of 20 runs of bugtrap at least.</source>
+        <translation>auto résout au moins 18 essais sur 20 de bugtrap.</translation>
+    </message>
+    <message>
+        <source>auto solves every run of Easy, cubicles, Twistycool and alpha-1.5, with a certified path.</source>
+        <translation>auto résout tous les essais d&apos;Easy, cubicles, Twistycool et alpha-1.5, avec un chemin certifié.</translation>
+    </message>
+    <message>
+        <source>auto takes a fifth of the time of OMPL&apos;s best at 0.1 %.</source>
+        <translation>auto prend un cinquième du temps du meilleur d&apos;OMPL à 0,1 %.</translation>
+    </message>
+    <message>
+        <source>Automatic tuning of α, N and d against fixed settings</source>
+        <translation>Réglage automatique de α, N et d face à des réglages fixes</translation>
+    </message>
+    <message>
+        <source>Tuned runs are solved at least nine tenths as often as with the best fixed setting.</source>
+        <translation>Les essais réglés automatiquement sont résolus au moins neuf fois sur dix par rapport au meilleur réglage fixe.</translation>
+    </message>
+    <message>
+        <source>Tuned α, N and d are within 15 % of the best fixed setting in median steps, without knowing it.</source>
+        <translation>α, N et d réglés automatiquement sont à moins de 15 % du meilleur réglage fixe en pas médians, sans le connaître.</translation>
+    </message>
+    <message>
+        <source>α, N and d set themselves from what computer, operator and contact earned lately, against the best of a coarse grid of fixed settings, the same seeds for all. Lockstep at 40 planner steps a second of the operator&apos;s time.</source>
+        <translation>α, N et d se règlent d&apos;après ce que l&apos;ordinateur, l&apos;opérateur et le contact ont apporté récemment, face au meilleur d&apos;une grille grossière de réglages fixes, avec les mêmes graines pour tous. Pas à pas, à 40 pas du planificateur par seconde du temps de l&apos;opérateur.</translation>
+    </message>
+    <message>
+        <source>BiRRT alone, one run: 2 h 45 (paper 1, table I)</source>
+        <translation>BiRRT seul, un essai : 2 h 45 (article 1, tableau I)</translation>
+    </message>
+    <message>
+        <source>BiRRT alone: nothing in a night; a person with contact: 61 s (paper 1, table V)</source>
+        <translation>BiRRT seul : rien en une nuit ; une personne avec contact : 61 s (article 1, tableau V)</translation>
+    </message>
+    <message>
+        <source>Environment 1: a median of 0.2 s at most.</source>
+        <translation>Environnement 1 : une médiane de 0,2 s au plus.</translation>
+    </message>
+    <message>
+        <source>Environment 2: a median of 3 s at most.</source>
+        <translation>Environnement 2 : une médiane de 3 s au plus.</translation>
+    </message>
+    <message>
+        <source>Environments 1 and 2: faster than our BiRRT and than OMPL&apos;s planners.</source>
+        <translation>Environnements 1 et 2 : plus rapide que notre BiRRT et que les planificateurs d&apos;OMPL.</translation>
+    </message>
+    <message>
+        <source>Strategy auto without an operator, beside other planners: our BiRRT, GTS on the pump, and unmodified OMPL (edges looked at every 0.1 % of the extent). Seconds are of the processor, but what is asked of auto alone and beside GTS is what one waits; over all runs: one that was not solved counts with the time it had. A path of OMPL&apos;s counts as solved where our certificate holds.</source>
+        <translation>Stratégie auto sans opérateur, à côté d&apos;autres planificateurs : notre BiRRT, GTS sur la pompe, et OMPL non modifié (arêtes regardées tous les 0,1 % de l&apos;étendue). Les secondes sont celles du processeur, mais ce qui est demandé à auto seul et à côté de GTS est le temps d&apos;attente ; sur tous les essais : un essai non résolu compte avec le temps qu&apos;il a eu. Un chemin d&apos;OMPL compte comme résolu là où notre certificat tient.</translation>
+    </message>
+    <message>
+        <source>The automatic planner on our samples</source>
+        <translation>Le planificateur automatique sur nos exemples</translation>
+    </message>
+    <message>
+        <source>The pump: ten times faster than GTS.</source>
+        <translation>La pompe : dix fois plus rapide que GTS.</translation>
+    </message>
+    <message>
+        <source>auto solves every run, with a certified path.</source>
+        <translation>auto résout tous les essais, avec un chemin certifié.</translation>
+    </message>
+    <message>
+        <source>not-certified</source>
+        <translation>non certifié</translation>
+    </message>
+    <message>
+        <source>Success rate (%)</source>
+        <translation>Taux de succès (%)</translation>
+    </message>
+    <message>
+        <source>Authority α</source>
+        <translation>Autorité α</translation>
+    </message>
+    <message>
+        <source>Contact samples N</source>
+        <translation>Échantillons de contact N</translation>
+    </message>
+    <message>
+        <source>Contact distance d (m)</source>
+        <translation>Distance de contact d (m)</translation>
+    </message>
+    <message>
+        <source>Work of each station</source>
+        <translation>Travail de chaque poste</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>Poste</translation>
+    </message>
+    <message>
+        <source>Line of %1 stations</source>
+        <translation>Ligne de %1 postes</translation>
+    </message>
+    <message>
+        <source>A product leaves the line every %1. No division is faster than %2.</source>
+        <translation>Un produit quitte la ligne toutes les %1. Aucune répartition n&apos;est plus rapide que %2.</translation>
+    </message>
+    <message>
+        <source>The times are estimates of the size of tables for manual assembly (Boothroyd, Dewhurst and Knight 2011). They were not measured.</source>
+        <translation>Les temps sont des estimations de l&apos;ordre des tables d&apos;assemblage manuel (Boothroyd, Dewhurst et Knight 2011). Ils n&apos;ont pas été mesurés.</translation>
+    </message>
+    <message>
+        <source>The times follow an edited table. %1 of its %2 values were edited. The others are estimates of the size of tables for manual assembly (Boothroyd, Dewhurst and Knight 2011) and were not measured.</source>
+        <translation>Les temps suivent un tableau modifié. %1 de ses %2 valeurs ont été modifiées. Les autres sont des estimations de l&apos;ordre des tables d&apos;assemblage manuel (Boothroyd, Dewhurst et Knight 2011) et n&apos;ont pas été mesurées.</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Longest chain</source>
+        <translation>Chaîne la plus longue</translation>
+    </message>
+    <message>
+        <source>Steps of the longest chain</source>
+        <translation>Étapes de la chaîne la plus longue</translation>
+    </message>
+    <message>
+        <source>the swept volume was not finished</source>
+        <translation>le volume balayé n&apos;a pas été terminé</translation>
+    </message>
+    <message>
+        <source>there is nothing that moves</source>
+        <translation>aucun corps ne se déplace</translation>
+    </message>
+    <message>
+        <source>Give a body with triangles and a path.</source>
+        <translation>Donnez un corps avec des triangles et un chemin.</translation>
+    </message>
+    <message>
+        <source>the bound of the swept volume is finer than 32-bit coordinates are so far from the origin</source>
+        <translation>la borne du volume balayé est plus fine que les coordonnées sur 32 bits aussi loin de l&apos;origine</translation>
+    </message>
+    <message>
+        <source>Give at least %1 mm.</source>
+        <translation>Donnez au moins %1 mm.</translation>
+    </message>
+    <message>
+        <source>the bound of the swept volume needs more than 4 GiB</source>
+        <translation>la borne du volume balayé demande plus de 4 Gio</translation>
+    </message>
+    <message>
+        <source>the bound of the swept volume is not above 0</source>
+        <translation>la borne du volume balayé n&apos;est pas supérieure à 0</translation>
+    </message>
+    <message>
+        <source>Give a length as 0.5mm.</source>
+        <translation>Donnez une longueur, comme 0.5mm.</translation>
     </message>
 </context>
 <context>
@@ -8762,78 +11495,6 @@
 </context>
 <context>
     <name>WorkTimes</name>
-    <message>
-        <source>a part is small below this length</source>
-        <translation>une pièce est petite au-dessous de cette longueur</translation>
-    </message>
-    <message>
-        <source>a part is large above this length</source>
-        <translation>une pièce est grande au-dessus de cette longueur</translation>
-    </message>
-    <message>
-        <source>a heavier part is handled as a large one</source>
-        <translation>une pièce plus lourde est manipulée comme une grande</translation>
-    </message>
-    <message>
-        <source>a heavier part needs a lifting aid</source>
-        <translation>une pièce plus lourde demande une aide au levage</translation>
-    </message>
-    <message>
-        <source>fetch a part</source>
-        <translation>prendre une pièce</translation>
-    </message>
-    <message>
-        <source>fetch a small part</source>
-        <translation>prendre une petite pièce</translation>
-    </message>
-    <message>
-        <source>fetch a large part with both hands</source>
-        <translation>prendre une grande pièce à deux mains</translation>
-    </message>
-    <message>
-        <source>fetch a part with a lifting aid</source>
-        <translation>prendre une pièce avec une aide au levage</translation>
-    </message>
-    <message>
-        <source>place a part along a straight way</source>
-        <translation>poser une pièce par un trajet droit</translation>
-    </message>
-    <message>
-        <source>place a part into a fit</source>
-        <translation>poser une pièce dans un ajustement</translation>
-    </message>
-    <message>
-        <source>place a part along a way with turns</source>
-        <translation>poser une pièce par un trajet avec des virages</translation>
-    </message>
-    <message>
-        <source>press a part into its seat</source>
-        <translation>presser une pièce dans son logement</translation>
-    </message>
-    <message>
-        <source>lay a flexible part on</source>
-        <translation>poser une pièce souple</translation>
-    </message>
-    <message>
-        <source>start a thread</source>
-        <translation>engager un filetage</translation>
-    </message>
-    <message>
-        <source>one turn with a powered tool</source>
-        <translation>un tour avec un outil à moteur</translation>
-    </message>
-    <message>
-        <source>one turn by hand or with an open wrench</source>
-        <translation>un tour à la main ou avec une clé plate</translation>
-    </message>
-    <message>
-        <source>take another tool</source>
-        <translation>prendre un autre outil</translation>
-    </message>
-    <message>
-        <source>hold one body meanwhile</source>
-        <translation>tenir un corps pendant ce temps</translation>
-    </message>
     <message>
         <source>Default: %1 %3. It is an estimate of the size of the tables for manual assembly in Boothroyd, Dewhurst and Knight, Product Design for Manufacture and Assembly (2011), and was not measured. Values from 0 to %2 %3 are taken.</source>
         <translation>Valeur par défaut&#xa0;: %1 %3. C&apos;est une estimation de l&apos;ordre des tables d&apos;assemblage manuel de Boothroyd, Dewhurst et Knight, Product Design for Manufacture and Assembly (2011), et elle n&apos;a pas été mesurée. Les valeurs de 0 à %2 %3 sont acceptées.</translation>
@@ -10122,7 +12783,7 @@
     <name>glissade::FitsPanel</name>
     <message>
         <source>%1 is taken without what overlaps, up to %2 deep</source>
-        <translation>%1 est prise sans ce qui se chevauche, jusqu'à %2 de profondeur</translation>
+        <translation>%1 est prise sans ce qui se chevauche, jusqu&apos;à %2 de profondeur</translation>
     </message>
     <message>
         <source>%1 is taken %2 thinner</source>
@@ -10292,14 +12953,6 @@
     <message>
         <source>The head cannot be tracked</source>
         <translation>La tête ne peut pas être suivie</translation>
-    </message>
-    <message>
-        <source>cannot be used: %1</source>
-        <translation>ne peut pas être utilisé : %1</translation>
-    </message>
-    <message>
-        <source>Choose another port, and set it in the tracker, too.</source>
-        <translation>Choisissez un autre port, et réglez-le aussi dans le capteur.</translation>
     </message>
     <message>
         <source>The head is not tracked: nothing comes to port %1</source>
