@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/interrupt.h"
+#include "app/cli/text_cells.h"
 #include "engine/access/plan_access.h"
 #include "engine/scenario/path_reader.h"
 #include "engine/scenario/plan_file.h"
@@ -20,9 +19,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kSampled =
-    "hand, forearm and tool were sampled along each motion: this is no proof of what lies between the samples, and "
-    "the rest of the body is not considered";
+constexpr CatalogueText kSampled = GLISSADE_TEXT(
+    "hand, forearm and tool were sampled along each motion: this is no proof of what lies between the "
+    "samples, and the rest of the body is not considered");
 
 /// A body is named by its index in `bodies`, because the answers hold that index.
 Json toJson(const MotionAccess& motion, const std::vector<RigidBody>& bodies) {
@@ -45,28 +44,35 @@ Json toJson(const MotionAccess& motion, const std::vector<RigidBody>& bodies) {
 
 std::string wholePercent(double share) { return std::to_string(static_cast<int>(std::floor(100.0 * share))) + " %"; }
 
-std::string handInWords(const HandAnswer& hand, const std::vector<RigidBody>& bodies) {
-  const std::string by = hand.blockedBy ? " by '" + bodies[*hand.blockedBy].shown() + "'" : "";
+Message handInWords(const HandAnswer& hand, const std::vector<RigidBody>& bodies) {
   switch (hand.access) {
-    case HandAccess::Free: return "the hand gets there";
+    case HandAccess::Free: return GLISSADE_TEXT("the hand gets there");
     case HandAccess::Blocked:
-      return "the hand is blocked" + by + ", " + wholePercent(hand.share) + " of the way from the place";
-    case HandAccess::NoGrip: return "no place of it fits into one hand";
+      if (!hand.blockedBy) {
+        return {GLISSADE_TEXT("the hand is blocked, %1 of the way from the place"), {wholePercent(hand.share)}};
+      }
+      return {GLISSADE_TEXT("the hand is blocked by '%1', %2 of the way from the place"),
+              {bodies[*hand.blockedBy].shown(), wholePercent(hand.share)}};
+    case HandAccess::NoGrip: return GLISSADE_TEXT("no place of it fits into one hand");
     case HandAccess::NotAsked: break;
   }
-  return "not asked";
+  return GLISSADE_TEXT("not asked");
 }
 
-std::string sightInWords(const SightAnswer& sight, const std::vector<RigidBody>& bodies) {
-  std::string text = wholePercent(sight.share) + " of the place is seen";
-  if (!sight.isSeen() && sight.blockedBy) text += ", hidden by '" + bodies[*sight.blockedBy].shown() + "'";
-  return text;
+Message sightInWords(const SightAnswer& sight, const std::vector<RigidBody>& bodies) {
+  if (sight.isSeen() || !sight.blockedBy) {
+    return {GLISSADE_TEXT("%1 of the place is seen"), {wholePercent(sight.share)}};
+  }
+  return {GLISSADE_TEXT("%1 of the place is seen, hidden by '%2'"),
+          {wholePercent(sight.share), bodies[*sight.blockedBy].shown()}};
 }
 
-std::string accessInWords(const MotionAccess& motion, const std::vector<RigidBody>& bodies) {
-  std::string text = handInWords(motion.hand, bodies);
-  if (motion.tool != ToolKind::None) text += " with the tool (" + std::string(toolName(motion.tool)) + ")";
-  return text + "; " + sightInWords(motion.sight, bodies);
+Message accessInWords(const MotionAccess& motion, const std::vector<RigidBody>& bodies) {
+  Message hand = handInWords(motion.hand, bodies);
+  if (motion.tool != ToolKind::None) {
+    hand = {GLISSADE_TEXT("%1 with the tool (%2)"), {hand, CatalogueText{toolName(motion.tool)}}};
+  }
+  return glissade::joined({hand, sightInWords(motion.sight, bodies)}, "; ");
 }
 
 Json header(const AccessOptions& options) {
@@ -84,7 +90,7 @@ int accessExitCode(bool reached) { return reached ? 0 : exitCode(ErrorKind::NoPa
 int accessOfPath(const AccessOptions& options, const StopToken& stop) {
   const auto loaded = loadScenario(options.file);
   if (!loaded) return reportError(loaded.error(), options.console);
-  reportWarnings(loaded->warnings);
+  reportWarnings(loaded->warnings, options.console);
   const auto points = readPath(options.path);
   if (!points) return reportError(points.error(), options.console);
   const auto access = pathAccess(loaded->obstacles, loaded->object, configurationsOf(*points), personOf(options), stop);
@@ -100,7 +106,8 @@ int accessOfPath(const AccessOptions& options, const StopToken& stop) {
     json["access"] = kHandAccessNames.of(access->motion.hand.access);
     printJson(json);
   } else {
-    std::cout << accessInWords(access->motion, bodies) << "\n" << kSampled << "\n";
+    options.console.print(accessInWords(access->motion, bodies));
+    options.console.print(kSampled);
   }
   return accessExitCode(access->motion.isReachedAndSeen());
 }
@@ -108,22 +115,25 @@ int accessOfPath(const AccessOptions& options, const StopToken& stop) {
 /// Prints the steps of a line and of its groups. The steps of a group are numbered after the step that adds the group,
 /// as in the work instruction.
 void printLine(const LineAccess& access, const std::vector<AssemblyStep>& steps,
-               const std::vector<SubassemblyLine>& lines, const std::string& group, const AssembledProduct& product) {
+               const std::vector<SubassemblyLine>& lines, const std::string& group, const AssembledProduct& product,
+               const Console& console) {
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    std::cout << std::setw(4) << stepNumber(steps.size() - 1 - i, group) << "  " << nameOfStep(steps[i], product)
-              << ": " << accessInWords(access.steps[i], product.bodies) << "\n";
+    const std::string number = toRight(stepNumber(steps.size() - 1 - i, group), 4);
+    console.print({GLISSADE_TEXT("%1: %2"),
+                   {number + "  " + nameOfStep(steps[i], product), accessInWords(access.steps[i], product.bodies)}});
   }
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string number = stepNumber(steps.size() - lines[i].step, group);
-    printLine(access.lines[i], lines[i].steps, lines[i].lines, number, product);
+    printLine(access.lines[i], lines[i].steps, lines[i].lines, number, product, console);
   }
 }
 
-void printPlanAccess(const PlanAccess& access, const AssemblyPlan& plan, const AssembledProduct& product) {
-  printLine(access, plan.steps, plan.lines, {}, product);
-  std::cout << access.reached() << " of " << access.count() << " steps are reached and seen by the hand "
-            << kHandSizeNames.of(access.person.size) << "\n"
-            << kSampled << "\n";
+void printPlanAccess(const PlanAccess& access, const AssemblyPlan& plan, const AssembledProduct& product,
+                     const Console& console) {
+  printLine(access, plan.steps, plan.lines, {}, product, console);
+  console.print({GLISSADE_TEXT("%1 of %2 steps are reached and seen by the hand %3"),
+                 {access.reached(), access.count(), kHandSizeNames.of(access.person.size)}});
+  console.print(kSampled);
 }
 
 Json stepsJson(const LineAccess& access, const std::vector<AssemblyStep>& steps, const AssembledProduct& product) {
@@ -150,7 +160,7 @@ int accessOfPlan(const AccessOptions& options, const StopToken& stop) {
   if (!plan) return reportError(plan.error(), options.console);
   const auto loaded = loadProduct(options.file, stop, plan->deflection, {{}, plan->bodies});
   if (!loaded) return reportError(loaded.error(), options.console);
-  reportWarnings(loaded->warnings);
+  reportWarnings(loaded->warnings, options.console);
   const AssembledProduct& product = loaded->product;
   std::vector<std::string> ids;
   for (const RigidBody& body : product.bodies) ids.push_back(body.id);
@@ -167,7 +177,7 @@ int accessOfPlan(const AccessOptions& options, const StopToken& stop) {
     json["reached"] = access->reached();
     printJson(json);
   } else {
-    printPlanAccess(*access, *plan, product);
+    printPlanAccess(*access, *plan, product, options.console);
   }
   return accessExitCode(access->reached() == access->count());
 }

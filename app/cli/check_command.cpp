@@ -20,7 +20,8 @@ namespace {
 /// Shows on the terminal which share of the work is done.
 class CheckProgress {
  public:
-  explicit CheckProgress(bool shown) : shown_(shown && isatty(STDERR_FILENO) != 0) {}
+  explicit CheckProgress(const Console& console)
+      : console_(console), shown_(!console.json && isatty(STDERR_FILENO) != 0) {}
   ~CheckProgress() {
     if (percent_ >= 0) std::cerr << "\r\033[K" << std::flush;
   }
@@ -31,10 +32,11 @@ class CheckProgress {
     const int percent = static_cast<int>(100.0 * share);
     if (!shown_ || percent == percent_) return;
     percent_ = percent;
-    std::cerr << "\r\033[K" << percent << " % judged" << std::flush;
+    std::cerr << "\r\033[K" << console_.text({GLISSADE_TEXT("%1 % judged"), {percent}}) << std::flush;
   }
 
  private:
+  Console console_;
   bool shown_;
   int percent_ = -1;
 };
@@ -57,14 +59,14 @@ int reportStopped(Diagnostic error, const Interrupt& interrupt, const Console& c
 }
 
 /// Adds the forbidden places of the scenario as planners find them, and the regions that its file states.
-Outcome addForbiddenPlaces(const std::string& file, const StopToken& stop, check::Question& question) {
+Outcome addForbiddenPlaces(const CheckOptions& options, const StopToken& stop, check::Question& question) {
   if (!question.product.forbidsPlaces) return Done{};
-  const auto loaded = loadScenario(file, stop);
+  const auto loaded = loadScenario(options.scenario, stop);
   if (!loaded) return loaded.error();
   const auto places = forbiddenPlacesOf(*loaded, loaded->scenario, stop);
   if (!places) return places.error();
-  if (const auto warning = regionsWarning(loaded->scenario, *places, file)) {
-    reportWarnings({*warning});
+  if (const auto warning = regionsWarning(loaded->scenario, *places, options.scenario)) {
+    reportWarnings({*warning}, options.console);
     for (const ForbiddenPlace& place : *places) question.forbidden.push_back({place.name, place.boxes});
   }
   question.product.forbidsPlaces = !question.forbidden.empty();
@@ -89,8 +91,8 @@ int checkPath(const CheckOptions& options, const Interrupt& interrupt, const Sto
   auto question =
       check::readQuestion(options.scenario, {options.fits.on, options.fits.acceptedClash, options.fits.cut}, stop);
   if (!question) return reportStopped(question.error(), interrupt, options.console);
-  reportWarnings(question->product.warnings);
-  if (const Outcome found = addForbiddenPlaces(options.scenario, stop, *question); !found) {
+  reportWarnings(question->product.warnings, options.console);
+  if (const Outcome found = addForbiddenPlaces(options, stop, *question); !found) {
     return reportStopped(found.error(), interrupt, options.console);
   }
   if (options.requiredClearance) {
@@ -101,13 +103,13 @@ int checkPath(const CheckOptions& options, const Interrupt& interrupt, const Sto
   }
   check::PathVerdict verdict;
   {
-    CheckProgress progress(!options.console.json);
+    CheckProgress progress(options.console);
     verdict = check::judgePath(*question, *path, {stop, [&](double share) { progress.show(share); }});
   }
   if (options.console.json) {
     printJson(check::reportJson(verdict, *question, options.edges));
   } else {
-    std::cout << check::reportText(verdict, *question, options.edges);
+    std::cout << check::reportText(verdict, *question, options.edges, options.console.language);
   }
   return exitCodeOf(verdict.valid(), verdict.refused(), question->product.missing, interrupt, stop);
 }
@@ -122,11 +124,11 @@ int checkPlan(const CheckOptions& options, const Interrupt& interrupt, const Sto
   if (const Outcome left = check::leaveOut(options.without, *product); !left) {
     return reportError(left.error(), options.console);
   }
-  reportWarnings(product->warnings);
-  if (product->forbidsPlaces) reportWarnings({placesHoldForPathsOnly(options.scenario)});
+  reportWarnings(product->warnings, options.console);
+  if (product->forbidsPlaces) reportWarnings({placesHoldForPathsOnly(options.scenario)}, options.console);
   check::PlanVerdict verdict;
   {
-    CheckProgress progress(!options.console.json);
+    CheckProgress progress(options.console);
     verdict = check::judgePlan(*product, *plan, options.requiredClearance,
                                {stop, [&](double share) { progress.show(share); }});
   }
@@ -134,7 +136,7 @@ int checkPlan(const CheckOptions& options, const Interrupt& interrupt, const Sto
   if (options.console.json) {
     printJson(check::reportJson(verdict, *product));
   } else {
-    std::cout << check::reportText(verdict, *product);
+    std::cout << check::reportText(verdict, *product, options.console.language);
   }
   const check::PlanOutcome outcome = verdict.outcome();
   if (outcome == check::PlanOutcome::Incomplete) return exitCode(ErrorKind::NoPath);

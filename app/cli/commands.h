@@ -199,6 +199,7 @@ struct StudyOptions {
   std::string shard = "1/1";
   bool quick = false;
   bool dryRun = false;
+  Console console;
 };
 
 /// glissade-cli study: carries out the runs of a study, each in its own process, and writes the tables. Exit code 0 all
@@ -208,6 +209,7 @@ int runStudyCommand(const StudyOptions& options);
 struct MergeOptions {
   std::vector<std::string> folders;
   std::string out;
+  Console console;
 };
 
 /// glissade-cli merge: unites the results of shards. Exit code 3 if they belong to different studies.
@@ -215,15 +217,21 @@ int runMerge(const MergeOptions& options);
 
 struct ReportOptions {
   std::string folder;
-  std::string out;  ///< empty: the folder of the results
-  std::string language = "en";
+  std::string out;              ///< empty: the folder of the results
+  std::string language = "en";  ///< of the report
+  Console console;
 };
 
 /// glissade-cli report: writes report.html for a folder of results.
 int runReport(const ReportOptions& options);
 
+struct BenchmarkPageOptions {
+  std::string folder;
+  Console console;
+};
+
 /// glissade-cli benchmark-page: writes benchmarks.html for a folder that packaging/benchmarks.sh filled.
-int runBenchmarkPage(const std::string& folder);
+int runBenchmarkPage(const BenchmarkPageOptions& options);
 
 struct ConvertOptions {
   std::string input;

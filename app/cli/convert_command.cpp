@@ -1,7 +1,6 @@
 #include "app/cli/commands.h"
 
 #include <filesystem>
-#include <iostream>
 
 #include "engine/base/file.h"
 #include "engine/planning/coarse/prohibitions.h"
@@ -23,8 +22,8 @@ bool saysScenario(const std::string& file) {
 
 int finish(const SaveResult& saved, const ConvertOptions& options) {
   if (!saved) return reportError(saved.why, options.console);
-  reportWarnings(saved.warnings);
-  std::cout << "wrote " << options.output << "\n";
+  reportWarnings(saved.warnings, options.console);
+  options.console.print({GLISSADE_TEXT("wrote %1"), {options.output}});
   return 0;
 }
 
@@ -57,7 +56,7 @@ int convertScenario(const ConvertOptions& options) {
   const auto opened = openScenarioFile(options.input);
   if (!opened) return reportError(opened.error(), options.console);
   const LoadedScenario& loaded = opened->scenario;
-  reportWarnings(loaded.warnings);
+  reportWarnings(loaded.warnings, options.console);
   std::error_code notThere;
   const bool inPlace = std::filesystem::equivalent(options.input, options.output, notThere);
   const SaveResult saved = saveScenarioFile(movedTo(options.output, loaded.scenario, options.input), options.output,

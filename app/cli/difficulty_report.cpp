@@ -1,10 +1,8 @@
 #include "app/cli/difficulty_report.h"
 
-#include <iostream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "app/cli/report.h"
+#include "app/cli/text_cells.h"
 #include "engine/base/json_reader.h"
 #include "engine/geometry/pose_json.h"
 #include "engine/session/grown_roadmap.h"
@@ -15,9 +13,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string place(const Pose& q) {
-  std::ostringstream text;
-  text << "(" << q.position.x() << ", " << q.position.y() << ", " << q.position.z() << ") m";
-  return text.str();
+  const Vector3& p = q.position;
+  return "(" + rounded(p.x()) + ", " + rounded(p.y()) + ", " + rounded(p.z()) + ") m";
 }
 
 }  // namespace
@@ -33,44 +30,45 @@ Json toJson(const Difficulty& difficulty, const CollisionWorld& world) {
     json["frontier"] = {{"distance_m", frontier->distance},
                         {"from_start", glissade::toJson(frontier->fromStart)},
                         {"from_goal", glissade::toJson(frontier->fromGoal)},
-                        {"blocked_by", bodyName(world, frontier->body)}};
+                        {"blocked_by", toString(bodyName(world, frontier->body))}};
     if (frontier->body >= 0) json["frontier"]["blocked_at"] = glissade::toJson(frontier->blockedAt);
   }
   if (const auto& tightest = difficulty.tightest) {
     json["tightest"] = {{"clearance_m", tightest->clearance},
-                        {"body", bodyName(world, tightest->body)},
+                        {"body", toString(bodyName(world, tightest->body))},
                         {"configuration", glissade::toJson(tightest->q)}};
   }
   if (const auto& least = difficulty.leastPenetration) {
     Json way = Json::array();
     for (const Pose& q : least->way) way.push_back(glissade::toJson(q));
     json["least_penetration"] = {{"depth_mm", 1e3 * least->depth},
-                                 {"body", bodyName(world, least->body)},
+                                 {"body", toString(bodyName(world, least->body))},
                                  {"configuration", glissade::toJson(least->q)},
                                  {"way", way}};
   }
   return json;
 }
 
-void printDifficulty(const Difficulty& difficulty, const CollisionWorld& world) {
+void printDifficulty(const Difficulty& difficulty, const CollisionWorld& world, const Console& console) {
   if (const auto& frontier = difficulty.frontier) {
-    std::cout << "the trees came within " << frontier->distance << " m of each other, from "
-              << place(frontier->fromStart) << " to " << place(frontier->fromGoal);
+    Message text{GLISSADE_TEXT("the trees came within %1 m of each other, from %2 to %3"),
+                 {rounded(frontier->distance), place(frontier->fromStart), place(frontier->fromGoal)}};
     if (frontier->body >= 0) {
-      std::cout << "; between the object and the goal's tree stands '" << bodyName(world, frontier->body) << "', at "
-                << place(frontier->blockedAt);
+      text = {GLISSADE_TEXT("%1; between the object and the goal's tree stands '%2', at %3"),
+              {text, bodyName(world, frontier->body), place(frontier->blockedAt)}};
     }
-    std::cout << "\n";
+    console.print(text);
   }
   if (const auto& tightest = difficulty.tightest) {
-    std::cout << "tightest passage reached: " << 1e3 * tightest->clearance << " mm to '"
-              << bodyName(world, tightest->body) << "', at " << place(tightest->q) << "\n";
+    console.print({GLISSADE_TEXT("tightest passage reached: %1 mm to '%2', at %3"),
+                   {rounded(1e3 * tightest->clearance), bodyName(world, tightest->body), place(tightest->q)}});
   }
   if (const auto& least = difficulty.leastPenetration) {
-    std::cout << "with " << 1e3 * least->depth << " mm given between the object and '" << bodyName(world, least->body)
-              << "', at " << place(least->q) << ", there is a way of " << least->way.size() << " configurations\n";
+    console.print({GLISSADE_TEXT("with %1 mm given between the object and '%2', at %3, there is a way of %4 "
+                                 "configurations"),
+                   {rounded(1e3 * least->depth), bodyName(world, least->body), place(least->q), least->way.size()}});
   } else {
-    std::cout << "no erosion of the object that was tried opens a way\n";
+    console.print(GLISSADE_TEXT("no erosion of the object that was tried opens a way"));
   }
 }
 

@@ -1,10 +1,9 @@
 #include "app/cli/environment_report.h"
 
-#include <iomanip>
-#include <iostream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
-#include "app/cli/report.h"
+#include "app/cli/text_cells.h"
 #include "engine/environment/edit_binding.h"
 
 namespace glissade::cli {
@@ -39,26 +38,33 @@ Json attributesOf(const SemanticModel& semantics, std::size_t place) {
 
 }  // namespace
 
-void printEnvironment(const SceneKnowledge& knowledge, const SemanticModel& semantics) {
+void printEnvironment(const SceneKnowledge& knowledge, const SemanticModel& semantics, const Console& console) {
   const EnvironmentModel& environment = *knowledge.environment;
   const TopologicalMap& map = environment.map;
   const auto leaves = environment.octree->leafCounts();
-  std::cout << "\noctree     " << environment.octree->depth() << " levels, cells: " << leaves[0] << " free, "
-            << leaves[1] << " mobile, " << leaves[2] << " static\n\nplaces (" << environment.options.identifier
-            << ")\n";
+  console.print({});
+  console.print({GLISSADE_TEXT("octree     %1 levels, cells: %2 free, %3 mobile, %4 static"),
+                 {environment.octree->depth(), leaves[0], leaves[1], leaves[2]}});
+  console.print({});
+  console.print({GLISSADE_TEXT("places (%1)"), {environment.options.identifier}});
   for (std::size_t i = 0; i < map.places.size(); ++i) {
-    const std::string complexity = toText(semantics.ofPlace(i, "complexity").value);
-    const bool cluttered = std::get<bool>(semantics.ofPlace(i, "cluttered").value);
-    std::cout << "  " << std::left << std::setw(8) << semantics.placeName(i) << "complexity " << std::setw(3)
-              << complexity << "narrowness " << std::setw(10) << map.places[i].narrowness << "compatibility "
-              << std::setw(10) << std::get<double>(semantics.ofPlace(i, "compatibility").value)
-              << (map.places[i].passage ? "passage " : "") << (cluttered ? "cluttered" : "") << "\n";
+    const bool isCluttered = std::get<bool>(semantics.ofPlace(i, "cluttered").value);
+    const std::string passage = map.places[i].passage ? console.text(GLISSADE_TEXT("passage")) + " " : "";
+    console.print({GLISSADE_TEXT("  %1complexity %2narrowness %3compatibility %4%5%6"),
+                   {toLeft(semantics.placeName(i), 8), toLeft(toText(semantics.ofPlace(i, "complexity").value), 3),
+                    toLeft(rounded(map.places[i].narrowness), 10),
+                    toLeft(rounded(std::get<double>(semantics.ofPlace(i, "compatibility").value)), 10), passage,
+                    isCluttered ? Message(GLISSADE_TEXT("cluttered")) : Message()}});
   }
-  std::cout << "\nborders\n";
+  console.print({});
+  console.print(GLISSADE_TEXT("borders"));
   for (const Border& border : map.borders) {
-    std::cout << "  " << semantics.placeName(static_cast<std::size_t>(border.placeA)) << " - "
-              << semantics.placeName(static_cast<std::size_t>(border.placeB)) << ", opening " << border.opening
-              << " m2 at " << border.centre.transpose() << "\n";
+    std::ostringstream centre;
+    centre << border.centre.transpose();
+    console.print(
+        {GLISSADE_TEXT("  %1 - %2, opening %3 m2 at %4"),
+         {semantics.placeName(static_cast<std::size_t>(border.placeA)),
+          semantics.placeName(static_cast<std::size_t>(border.placeB)), rounded(border.opening), centre.str()}});
   }
 }
 
@@ -94,10 +100,10 @@ Json toJson(const SceneKnowledge& knowledge, const SemanticModel& semantics) {
   return report;
 }
 
-void warnOfEdits(const LoadedScenario& scenario, const SceneKnowledge& knowledge) {
+void warnOfEdits(const LoadedScenario& scenario, const SceneKnowledge& knowledge, const Console& console) {
   Warnings warnings = editWarnings(knowledge.environment->map, semanticEditsOf(scenario.scenario));
   for (Diagnostic& warning : warnings) warning.file = scenario.file;
-  reportWarnings(warnings);
+  reportWarnings(warnings, console);
 }
 
 }  // namespace glissade::cli

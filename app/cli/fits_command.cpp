@@ -1,16 +1,14 @@
 #include "app/cli/commands.h"
 
 #include <algorithm>
-#include <iomanip>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <sstream>
 
 #include "app/cli/interrupt.h"
+#include "app/cli/text_cells.h"
 #include "engine/base/number_text.h"
-#include "engine/base/quantity_text.h"
 #include "engine/check/plain_overlaps.h"
 #include "engine/import/missing_shapes_json.h"
 #include "engine/import/step_import.h"
@@ -23,6 +21,8 @@ namespace glissade::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr CatalogueText kBothThinner = GLISSADE_TEXT("both by %1");
 
 Json coordinates(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -73,9 +73,9 @@ bool isOverlap(const PairFit& row) { return row.contact.isPlainOverlap || row.st
 /// if the file has no solids.
 using Volumes = std::vector<std::optional<double>>;
 
-Volumes commonVolumesOf(const std::vector<PairFit>& rows, const std::string& file, const StopToken& stop) {
+Volumes commonVolumesOf(const std::vector<PairFit>& rows, const FitsOptions& options, const StopToken& stop) {
   Volumes volumes(rows.size());
-  const std::string path = usualPart(file).path;
+  const std::string path = usualPart(options.file).path;
   if (!isCadFile(path)) return volumes;
   std::vector<std::pair<std::string, std::string>> pairs;
   for (const PairFit& row : rows) {
@@ -84,8 +84,8 @@ Volumes commonVolumesOf(const std::vector<PairFit>& rows, const std::string& fil
   const auto found = commonVolumes(path, pairs, stop);
   if (!found) {
     Diagnostic why = found.error();
-    why.reason = "the volumes that solids have in common are not known: " + why.reason;
-    reportWarnings({why});
+    why.reason = {GLISSADE_TEXT("the volumes that solids have in common are not known: %1"), {why.reason}};
+    reportWarnings({why}, options.console);
     return volumes;
   }
   auto next = found->begin();
@@ -139,30 +139,27 @@ void printCsv(const std::vector<PairFit>& rows, const Product& tree) {
 }
 
 /// "a by 0.0130 mm", "both by ...", "clash" or nothing.
-std::string thinnerInWords(const PairFit& row) {
-  if (row.status() == FitStatus::Clash) return "clash";
+Message thinnerInWords(const PairFit& row) {
+  if (row.status() == FitStatus::Clash) return GLISSADE_TEXT("clash");
   const std::vector<std::string> thinner = row.thinner();
   if (thinner.empty()) return {};
   const auto& taken = row.way().taken;
-  if (std::any_of(taken.begin(), taken.end(), [](const Fit& fit) { return fit.hollow; })) return "without overlap";
-  std::ostringstream text;
-  text << (thinner.size() > 1         ? "both"
-           : thinner.front() == row.a ? "a"
-                                      : "b")
-       << " by " << inMillimetres(row.way().allowance());
-  return text.str();
+  if (std::any_of(taken.begin(), taken.end(), [](const Fit& fit) { return fit.hollow; })) {
+    return GLISSADE_TEXT("without overlap");
+  }
+  const Length allowance{row.way().allowance()};
+  if (thinner.size() > 1) return {kBothThinner, {allowance}};
+  return {thinner.front() == row.a ? GLISSADE_TEXT("a by %1") : GLISSADE_TEXT("b by %1"), {allowance}};
 }
 
 /// "12.997 mm3"
 std::string inCubicMillimetres(double volume) {
   constexpr double kCubicMillimetre = 1e-9;
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(3) << volume / kCubicMillimetre << " mm3";
-  return text.str();
+  return fixedDigits(volume / kCubicMillimetre, 3) + " mm3";
 }
 
 /// Prints the common volumes, the deepest overlap first.
-void printVolumes(const std::vector<PairFit>& rows, const Volumes& volumes) {
+void printVolumes(const std::vector<PairFit>& rows, const Volumes& volumes, const Console& console) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (volumes[i]) order.push_back(i);
@@ -170,43 +167,60 @@ void printVolumes(const std::vector<PairFit>& rows, const Volumes& volumes) {
   std::stable_sort(order.begin(), order.end(), [&](std::size_t one, std::size_t other) {
     return rows[one].contact.overlap > rows[other].contact.overlap;
   });
-  if (!order.empty()) std::cout << "common volumes of the solids in the file:\n";
+  if (!order.empty()) console.print(GLISSADE_TEXT("common volumes of the solids in the file:"));
   for (const std::size_t i : order) {
-    std::cout << "  '" << rows[i].shown[0] << "' and '" << rows[i].shown[1] << "': " << inCubicMillimetres(*volumes[i])
-              << ", " << inMillimetres(rows[i].contact.overlap) << " deep\n";
+    console.print(
+        {GLISSADE_TEXT("  '%1' and '%2': %3, %4 deep"),
+         {rows[i].shown[0], rows[i].shown[1], inCubicMillimetres(*volumes[i]), Length{rows[i].contact.overlap}}});
   }
 }
 
-void printTable(const std::vector<PairFit>& rows, const Volumes& volumes, std::size_t bodies) {
-  std::size_t width = 1;
-  for (const PairFit& row : rows) width = std::max(width, row.shown[0].size());
-  std::cout << std::left << std::setw(42) << "kind        gap or overlap" << std::setw(19) << "taken thinner"
-            << std::setw(static_cast<int>(width) + 2) << "a"
-            << "b\n"
-            << std::fixed << std::setprecision(3);
-  for (const PairFit& row : rows) {
-    const Contact& contact = row.contact;
-    const bool overlaps = contact.overlap > 0.0;
-    std::cout << std::setw(12) << kindName(contact.kind) << (overlaps ? "overlap " : "gap     ") << std::right
-              << std::setw(8) << 1e3 * (overlaps ? contact.overlap : contact.gap) << " mm";
-    if (contact.uncertainty > 0.0) {
-      std::cout << " +- " << 1e3 * contact.uncertainty;
-    } else {
-      std::cout << "         ";
-    }
-    std::cout << "  " << std::left << std::setw(17) << thinnerInWords(row) << "  " << std::setw(static_cast<int>(width))
-              << row.shown[0] << "  " << row.shown[1] << "\n";
-  }
-  std::cout << rows.size() << " pairs of " << bodies << " bodies";
-  const char* separator = ": ";
+/// "overlap   0.021 mm +- 0.005", or the gap.
+std::string depthCell(const Contact& contact, const Console& console) {
+  const std::string overlap = console.text(GLISSADE_TEXT("overlap"));
+  const std::string gap = console.text(GLISSADE_TEXT("gap"));
+  const bool overlaps = contact.overlap > 0.0;
+  const std::string uncertainty =
+      contact.uncertainty > 0.0 ? " +- " + fixedDigits(1e3 * contact.uncertainty, 3) : std::string(9, ' ');
+  return toLeft(overlaps ? overlap : gap, std::max(widthOf(overlap), widthOf(gap)) + 1) +
+         toRight(fixedDigits(1e3 * (overlaps ? contact.overlap : contact.gap), 3), 8) + " mm" + uncertainty;
+}
+
+void printCounts(const std::vector<PairFit>& rows, std::size_t bodies, const Console& console) {
+  std::vector<Message> counts;
   for (const auto& [kind, count] : countsByKind(rows)) {
-    std::cout << separator << count << " " << kind;
-    separator = ", ";
+    counts.push_back({CatalogueText{"%1 %2"}, {count, CatalogueText{kind.c_str()}}});
   }
-  std::cout << "\n";
-  if (const std::size_t plain = plainOverlapsIn(rows); plain > 0)
-    std::cout << toString(check::plainOverlapsInWords(plain)) << "\n";
-  printVolumes(rows, volumes);
+  const Message pairs{GLISSADE_TEXT("%1 pairs of %2 bodies"), {rows.size(), bodies}};
+  console.print(counts.empty() ? pairs : Message{GLISSADE_TEXT("%1: %2"), {pairs, glissade::joined(counts, ", ")}});
+}
+
+void printTable(const std::vector<PairFit>& rows, const Volumes& volumes, std::size_t bodies, const Console& console) {
+  const std::string thinnerTitle = console.text(GLISSADE_TEXT("taken thinner"));
+  const std::string depthTitle = console.text(GLISSADE_TEXT("gap or overlap"));
+  const std::size_t depthWidth = std::max(widthOf(depthCell({}, console)), widthOf(depthTitle));
+  // As wide as a usual text is; rare long ones do not widen the table.
+  const std::size_t thinnerWidth =
+      std::max(widthOf(thinnerTitle), widthOf(console.text({kBothThinner, {"0.0123 mm"}})));
+  std::size_t nameWidth = 1;
+  std::size_t kindWidth = 12;
+  for (const PairFit& row : rows) {
+    nameWidth = std::max(nameWidth, widthOf(row.shown[0]));
+    kindWidth = std::max(kindWidth, widthOf(console.text(CatalogueText{kindName(row.contact.kind)})) + 1);
+  }
+  const auto print = [&](const std::string& kind, const std::string& depth, const std::string& thinner,
+                         const std::string& a, const std::string& b) {
+    std::cout << toLeft(kind, kindWidth) << toLeft(depth, depthWidth) << "  " << toLeft(thinner, thinnerWidth) << "  "
+              << toLeft(a, nameWidth) << "  " << b << "\n";
+  };
+  print(console.text(GLISSADE_TEXT("kind")), depthTitle, thinnerTitle, "a", "b");
+  for (const PairFit& row : rows) {
+    print(console.text(CatalogueText{kindName(row.contact.kind)}), depthCell(row.contact, console),
+          console.text(thinnerInWords(row)), row.shown[0], row.shown[1]);
+  }
+  printCounts(rows, bodies, console);
+  if (const std::size_t plain = plainOverlapsIn(rows); plain > 0) console.print(check::plainOverlapsInWords(plain));
+  printVolumes(rows, volumes, console);
 }
 
 Outcome checkLimits(const ContactLimits& limits) {
@@ -227,7 +241,7 @@ int runFits(const FitsOptions& options) {
   auto loaded = readProduct(options.file, interrupt.token(), options.deflection, {options.open, {}});
   if (!loaded) return reportError(loaded.error(), options.console);
   if (const Outcome left = leaveOut(options.without, *loaded); !left) return reportError(left.error(), options.console);
-  reportWarnings(loaded->warnings);
+  reportWarnings(loaded->warnings, options.console);
   AssembledProduct product = loaded->product;
   product.fits = withOptions(product.fits, options.fits);
   product.bodies = aboutTheirMiddles(std::move(product.bodies));
@@ -239,15 +253,15 @@ int runFits(const FitsOptions& options) {
     return reportError(why, options.console);
   }
   const std::vector<PairFit>& rows = table->pairs();
-  reportWarnings(warningsOfPlainOverlaps(rows));
-  reportWarnings(warningsOf(findAlternatives(product.bodies, interrupt.token()), product.bodies));
-  const Volumes volumes = options.csv ? Volumes(rows.size()) : commonVolumesOf(rows, options.file, interrupt.token());
+  reportWarnings(warningsOfPlainOverlaps(rows), options.console);
+  reportWarnings(warningsOf(findAlternatives(product.bodies, interrupt.token()), product.bodies), options.console);
+  const Volumes volumes = options.csv ? Volumes(rows.size()) : commonVolumesOf(rows, options, interrupt.token());
   if (options.console.json) {
     printPairs(rows, volumes, loaded->missing);
   } else if (options.csv) {
     printCsv(rows, product.tree);
   } else {
-    printTable(rows, volumes, product.bodies.size());
+    printTable(rows, volumes, product.bodies.size(), options.console);
   }
   return 0;
 }

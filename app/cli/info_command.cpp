@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iomanip>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -11,8 +10,8 @@
 
 #include "app/cli/environment_report.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/text_cells.h"
 #include "engine/base/length_units.h"
-#include "engine/base/quantity_text.h"
 #include "engine/geometry/mesh_audit.h"
 #include "engine/import/missing_shapes_json.h"
 #include "engine/scenario/forbidden_places_of.h"
@@ -94,25 +93,29 @@ Json toJson(const Asset& asset) {
 }
 
 /// The width of the column of names.
-int nameWidth(const std::vector<RigidBody>& bodies) {
+std::size_t nameWidth(const std::vector<RigidBody>& bodies) {
   std::size_t width = 23;
-  for (const RigidBody& body : bodies) width = std::max(width, body.shown().size());
-  return static_cast<int>(width + 1);
+  for (const RigidBody& body : bodies) width = std::max(width, widthOf(body.shown()));
+  return width + 1;
 }
 
-void printBody(const RigidBody& body, const Uncertainty& uncertainty, const char* role, int width, MeshAudits& audits) {
+void printBody(const RigidBody& body, const Uncertainty& uncertainty, const std::string& role, std::size_t width,
+               MeshAudits& audits, const Console& console) {
   const MeshAudit& result = audits.of(body.mesh);
   const Vector3 size = result.box.sizes();
-  std::cout << "  " << std::left << std::setw(width) << body.shown() << std::setw(8) << role << std::right
-            << std::setw(8) << result.triangles << " triangles  " << (result.closed() ? "closed" : "OPEN  ") << "  "
-            << size.x() << " x " << size.y() << " x " << size.z() << " m";
+  const std::string closed = console.text(GLISSADE_TEXT("closed"));
+  const std::string open = console.text(GLISSADE_TEXT("OPEN"));
+  const std::string quality = toLeft(result.closed() ? closed : open, std::max(widthOf(closed), widthOf(open)));
+  Message line{GLISSADE_TEXT("  %1%2%3 triangles  %4  %5 x %6 x %7 m"),
+               {toLeft(body.shown(), width), toLeft(role, 8), toRight(std::to_string(result.triangles), 8), quality,
+                rounded(size.x()), rounded(size.y()), rounded(size.z())}};
   if (uncertainty.deflection > 0.0) {
-    std::cout << "  within " << 1000.0 * uncertainty.deflection << " mm of its surface";
+    line = {GLISSADE_TEXT("%1  within %2 mm of its surface"), {line, rounded(1000.0 * uncertainty.deflection)}};
   }
   if (uncertainty.coordinateSpacing > 0.0) {
-    std::cout << "  coordinate spacing " << 1000.0 * uncertainty.coordinateSpacing << " mm";
+    line = {GLISSADE_TEXT("%1  coordinate spacing %2 mm"), {line, rounded(1000.0 * uncertainty.coordinateSpacing)}};
   }
-  std::cout << "\n";
+  console.print(line);
 }
 
 /// The number of present bodies below each node.
@@ -130,8 +133,14 @@ std::string attributesText(const Attributes& attributes) {
   return text;
 }
 
+/// Prints the title of a list below an empty line.
+void printTitle(CatalogueText title, const Console& console) {
+  console.print({});
+  console.print(title);
+}
+
 /// Prints each assembly below its parent; prints nothing if there are no assemblies.
-void printTree(const Product& tree, const std::vector<RigidBody>& bodies) {
+void printTree(const Product& tree, const std::vector<RigidBody>& bodies, const Console& console) {
   const std::vector<std::size_t> counts = bodyCounts(tree, bodies);
   const std::vector<std::string> names = tree.shownNames();
   std::vector<std::size_t> levels;
@@ -141,15 +150,16 @@ void printTree(const Product& tree, const std::vector<RigidBody>& bodies) {
     levels.push_back(node.parent ? levels[*node.parent] + 1 : 0);
     if (!node.parent) open.insert(open.begin(), i);
   }
-  const char* title = "\nassemblies\n";
+  bool isFirst = true;
   while (!open.empty()) {
     const std::size_t i = open.back();
     open.pop_back();
     const Product::Node& node = tree.nodes()[i];
     open.insert(open.end(), node.children.rbegin(), node.children.rend());
     if (node.children.empty()) continue;
-    std::cout << std::exchange(title, "") << std::string(2 * levels[i] + 2, ' ') << names[i] << "  " << counts[i]
-              << (counts[i] == 1 ? " body" : " bodies") << attributesText(node.attributes) << "\n";
+    if (std::exchange(isFirst, false)) printTitle(GLISSADE_TEXT("assemblies"), console);
+    console.print({counts[i] == 1 ? GLISSADE_TEXT("%1  %2 body%3") : GLISSADE_TEXT("%1  %2 bodies%3"),
+                   {std::string(2 * levels[i] + 2, ' ') + names[i], counts[i], attributesText(node.attributes)}});
   }
 }
 
@@ -169,59 +179,76 @@ Json toJson(const Product& tree, const std::vector<RigidBody>& bodies) {
   return list;
 }
 
-void printText(const LoadedScenario& loaded) {
+/// Prints the problem of a scenario and its parameters.
+void printProblem(const LoadedScenario& loaded, const Console& console) {
+  const auto& min = loaded.problem.bounds.min();
+  const auto& max = loaded.problem.bounds.max();
+  console.print({});
+  console.print(
+      {GLISSADE_TEXT("workspace  x %1 ... %2, y %3 ... %4, z %5 ... %6 m"),
+       {rounded(min.x()), rounded(max.x()), rounded(min.y()), rounded(max.y()), rounded(min.z()), rounded(max.z())}});
+  console.print(std::holds_alternative<GoalOut>(loaded.problem.goal) ? GLISSADE_TEXT("goal       out")
+                                                                     : GLISSADE_TEXT("goal       a configuration"));
+  console.print({GLISSADE_TEXT("planner    %1"), {loaded.scenario.planner}});
+  console.print({GLISSADE_TEXT("seed       %1"), {loaded.scenario.seed}});
+  for (const ParameterSpec& spec : parameterTable()) {
+    std::cout << toLeft(std::string(spec.key), 20) << loaded.parameters[spec.id] << " " << spec.unit << "\n";
+  }
+}
+
+void printText(const LoadedScenario& loaded, const Console& console) {
   const Scenario& scenario = loaded.scenario;
   std::cout << nameOfProduct(loaded) << "\n";
   if (!scenario.description.empty()) std::cout << scenario.description << "\n";
-  std::cout << "\nbodies\n";
+  printTitle(GLISSADE_TEXT("bodies"), console);
   MeshAudits audits;
-  const int width = nameWidth(rigidBodiesOf(loaded));
+  const std::size_t width = nameWidth(rigidBodiesOf(loaded));
   for (const RigidBody& body : loaded.obstacles) {
-    const char* role = kMobilityNames.of(body.mobility);
-    printBody(body, uncertaintyOf(body, loaded), role, width, audits);
+    const std::string role = console.text(CatalogueText{kMobilityNames.of(body.mobility)});
+    printBody(body, uncertaintyOf(body, loaded), role, width, audits, console);
   }
   for (const RigidBody& body : loaded.objectBodies) {
-    printBody(body, uncertaintyOf(body, loaded), "object", width, audits);
+    printBody(body, uncertaintyOf(body, loaded), console.text(GLISSADE_TEXT("object")), width, audits, console);
   }
-  printTree(loaded.product, rigidBodiesOf(loaded));
-  const auto& min = loaded.problem.bounds.min();
-  const auto& max = loaded.problem.bounds.max();
-  std::cout << "\nworkspace  x " << min.x() << " ... " << max.x() << ", y " << min.y() << " ... " << max.y() << ", z "
-            << min.z() << " ... " << max.z() << " m\n"
-            << "goal       " << (std::holds_alternative<GoalOut>(loaded.problem.goal) ? "out" : "a configuration")
-            << "\nplanner    " << scenario.planner << "\nseed       " << scenario.seed << "\n";
-  for (const ParameterSpec& spec : parameterTable()) {
-    std::cout << std::left << std::setw(20) << spec.key << loaded.parameters[spec.id] << " " << spec.unit << "\n";
-  }
+  printTree(loaded.product, rigidBodiesOf(loaded), console);
+  printProblem(loaded, console);
 }
 
-/// Text for the length unit of most bodies; empty if no body states a unit.
-std::string unitText(const Product& tree) {
-  static constexpr std::array<std::pair<double, const char*>, 5> kNames{
-      {{0.001, "millimetres"}, {0.01, "centimetres"}, {1.0, "metres"}, {kInch, "inches"}, {kFoot, "feet"}}};
+/// The unit of the lengths of most bodies; empty if no body states a unit.
+Message unitInWords(const Product& tree) {
+  static constexpr std::array<std::pair<double, CatalogueText>, 5> kNames{{{0.001, GLISSADE_TEXT("millimetres")},
+                                                                           {0.01, GLISSADE_TEXT("centimetres")},
+                                                                           {1.0, GLISSADE_TEXT("metres")},
+                                                                           {kInch, GLISSADE_TEXT("inches")},
+                                                                           {kFoot, GLISSADE_TEXT("feet")}}};
   const double unit = tree.lengthUnit();
   if (unit <= 0.0) return {};
   for (const auto& [metres, name] : kNames) {
-    if (metres == unit) return std::string(", lengths in ") + name;
+    if (metres == unit) return name;
   }
-  return ", lengths in units of " + inMillimetres(unit);
+  return {GLISSADE_TEXT("units of %1"), {Length{unit}}};
 }
 
-void printMissing(const MissingShapes& missing) {
-  if (!missing.empty()) std::cout << "\nshapes that are no bodies  " << listOf(missing) << "\n";
+void printMissing(const MissingShapes& missing, const Console& console) {
+  if (missing.empty()) return;
+  console.print({});
+  console.print({GLISSADE_TEXT("shapes that are no bodies  %1"), {listOf(missing)}});
 }
 
 /// Prints the bodies of a part file, which has neither an object nor a problem.
-void printProduct(const std::string& file, const AssembledProduct& product) {
-  std::cout << file << "\n"
-            << product.bodies.size() << " bodies, " << differentMeshes(product.bodies) << " different meshes, "
-            << trianglesOf(product.bodies) << " triangles" << unitText(product.tree) << "\n\nbodies\n";
+void printProduct(const std::string& file, const AssembledProduct& product, const Console& console) {
+  std::cout << file << "\n";
+  const Message counts{GLISSADE_TEXT("%1 bodies, %2 different meshes, %3 triangles"),
+                       {product.bodies.size(), differentMeshes(product.bodies), trianglesOf(product.bodies)}};
+  const Message unit = unitInWords(product.tree);
+  console.print(unit.empty() ? counts : Message{GLISSADE_TEXT("%1, lengths in %2"), {counts, unit}});
+  printTitle(GLISSADE_TEXT("bodies"), console);
   MeshAudits audits;
-  const int width = nameWidth(product.bodies);
+  const std::size_t width = nameWidth(product.bodies);
   for (std::size_t i = 0; i < product.bodies.size(); ++i) {
-    printBody(product.bodies[i], {product.deflections[i], 0.0}, "", width, audits);
+    printBody(product.bodies[i], {product.deflections[i], 0.0}, "", width, audits, console);
   }
-  printTree(product.tree, product.bodies);
+  printTree(product.tree, product.bodies, console);
 }
 
 Json toJson(const std::string& file, const AssembledProduct& product) {
@@ -248,14 +275,14 @@ int runProductInfo(const InfoOptions& options) {
   const Interrupt interrupt;
   const auto loaded = readProduct(options.file, interrupt.token(), 0.0, {options.open, {}});
   if (!loaded) return reportError(loaded.error(), options.console);
-  reportWarnings(loaded->warnings);
+  reportWarnings(loaded->warnings, options.console);
   if (options.console.json) {
     Json report = toJson(options.file, loaded->product);
     report["missing_shapes"] = missingShapesJson(loaded->missing);
     printJson(report);
   } else {
-    printProduct(options.file, loaded->product);
-    printMissing(loaded->missing);
+    printProduct(options.file, loaded->product, options.console);
+    printMissing(loaded->missing, options.console);
   }
   return 0;
 }
@@ -274,7 +301,7 @@ int runInfo(const InfoOptions& options) {
   if (isPartFile(usualPart(options.file).path)) return runProductInfo(options);
   auto loaded = loadScenario(options.file);
   if (!loaded) return reportError(loaded.error(), options.console);
-  reportWarnings(loaded->warnings);
+  reportWarnings(loaded->warnings, options.console);
   if (options.saveRegions) {
     if (const Outcome saved = saveRegions(options.file, *loaded); !saved) {
       return reportError(saved.error(), options.console);
@@ -285,12 +312,15 @@ int runInfo(const InfoOptions& options) {
     const auto built = buildSceneKnowledge(loaded->problem, loaded->parameters[ParameterId::RequiredClearance]);
     if (!built) return reportError(built.error(), options.console);
     knowledge = *built;
-    warnOfEdits(*loaded, *knowledge);
+    warnOfEdits(*loaded, *knowledge, options.console);
   }
   if (!options.console.json) {
-    printText(*loaded);
-    printMissing(loaded->missing);
-    if (knowledge) printEnvironment(*knowledge, semanticsOf(loaded->problem, *knowledge, loaded->problem.scene.edits));
+    printText(*loaded, options.console);
+    printMissing(loaded->missing, options.console);
+    if (knowledge) {
+      printEnvironment(*knowledge, semanticsOf(loaded->problem, *knowledge, loaded->problem.scene.edits),
+                       options.console);
+    }
     return 0;
   }
   const Scenario& scenario = loaded->scenario;

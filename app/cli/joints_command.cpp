@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <iomanip>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "app/cli/interrupt.h"
+#include "app/cli/text_cells.h"
 #include "engine/product/joint_edits.h"
 #include "engine/product/joint_finder.h"
 #include "engine/scenario/joints_json.h"
@@ -32,16 +31,10 @@ std::string shownOf(const std::vector<std::size_t>& bodies, const AssembledProdu
   return joined(names, ", ");
 }
 
-std::string rounded(double value, int digits) {
-  std::ostringstream text;
-  text << std::setprecision(digits) << value;
-  return text.str();
-}
-
 /// "5 mm x 0.8 mm, 9.6 mm engaged"
-std::string threadInWords(const JointThread& thread) {
-  return rounded(1e3 * thread.diameter, 3) + " x " + rounded(1e3 * thread.pitch, 3) + " mm, " +
-         rounded(1e3 * thread.engaged, 3) + " mm engaged";
+Message threadInWords(const JointThread& thread) {
+  return {GLISSADE_TEXT("%1 x %2 mm, %3 mm engaged"),
+          {rounded(1e3 * thread.diameter, 3), rounded(1e3 * thread.pitch, 3), rounded(1e3 * thread.engaged, 3)}};
 }
 
 std::string driveInWords(const Joint& joint) {
@@ -50,16 +43,28 @@ std::string driveInWords(const Joint& joint) {
          (joint.driveSize > 0.0 ? " " + rounded(1e3 * joint.driveSize, 3) + " mm" : "");
 }
 
-Cells cellsOf(const Joint& joint, const AssembledProduct& product) {
-  return {jointName(joint.kind),
-          jointStateName(joint.state) + std::string(joint.isDoubtful ? " (?)" : ""),
+Cells cellsOf(const Joint& joint, const AssembledProduct& product, const Console& console) {
+  return {console.text(CatalogueText{jointName(joint.kind)}),
+          console.text(CatalogueText{jointStateName(joint.state)}) + (joint.isDoubtful ? " (?)" : ""),
           product.bodies[joint.body].shown(),
           shownOf(joint.others, product),
           shownOf(joint.clamped, product),
-          joint.thread ? threadInWords(*joint.thread) : "",
+          joint.thread ? console.text(threadInWords(*joint.thread)) : "",
           joint.thread ? rounded(joint.thread->turns(), 3) : "",
           driveInWords(joint),
-          toString(joined(joint.evidence, "; "))};
+          console.text(joined(joint.evidence, "; "))};
+}
+
+/// The titles of the columns.
+Cells titles(const Console& console) {
+  constexpr std::array<CatalogueText, 9> kTitles{
+      GLISSADE_TEXT("kind"),     GLISSADE_TEXT("state"),  GLISSADE_TEXT("body"),
+      GLISSADE_TEXT("in or on"), GLISSADE_TEXT("clamps"), GLISSADE_TEXT("thread"),
+      GLISSADE_TEXT("turns"),    GLISSADE_TEXT("drive"),  GLISSADE_TEXT("evidence")};
+  Cells cells;
+  std::transform(kTitles.begin(), kTitles.end(), cells.begin(),
+                 [&console](const CatalogueText& title) { return console.text(title); });
+  return cells;
 }
 
 std::map<std::string, int> countsOf(const Joints& joints) {
@@ -73,41 +78,39 @@ auto screwHoles(const Joints& joints) {
   return std::count_if(joints.begin(), joints.end(), [](const Joint& joint) { return joint.makesHole; });
 }
 
-/// The number of UTF-8 characters, not of bytes.
-std::size_t widthOf(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+void printCounts(const Joints& joints, const AssembledProduct& product, const Console& console) {
+  std::vector<Message> counts;
+  for (const auto& [kind, count] : countsOf(joints)) {
+    counts.push_back({CatalogueText{"%1 %2"}, {count, CatalogueText{kind.c_str()}}});
+  }
+  const Message all{GLISSADE_TEXT("%1 joints of %2 bodies"), {joints.size(), product.bodies.size()}};
+  console.print(counts.empty() ? all : Message{GLISSADE_TEXT("%1: %2"), {all, joined(counts, ", ")}});
+  const auto holes = screwHoles(joints);
+  const auto doubtful = std::count_if(joints.begin(), joints.end(), [](const Joint& one) { return one.isDoubtful; });
+  if (holes > 0) {
+    console.print(
+        {GLISSADE_TEXT("screws in bodies without a hole in the file, each of which makes its own: %1"), {holes}});
+  }
+  if (doubtful > 0) {
+    console.print(
+        {GLISSADE_TEXT("joints whose evidence contradicts itself, for a person to decide (?): %1"), {doubtful}});
+  }
 }
 
-void printTable(const Joints& joints, const AssembledProduct& product) {
-  std::vector<Cells> rows{{"kind", "state", "body", "in or on", "clamps", "thread", "turns", "drive", "evidence"}};
-  for (const Joint& joint : joints) rows.push_back(cellsOf(joint, product));
+void printTable(const Joints& joints, const AssembledProduct& product, const Console& console) {
+  std::vector<Cells> rows{titles(console)};
+  for (const Joint& joint : joints) rows.push_back(cellsOf(joint, product, console));
   std::array<std::size_t, 9> widths{};
   for (const Cells& row : rows) {
     for (std::size_t i = 0; i + 1 < row.size(); ++i) widths[i] = std::max(widths[i], widthOf(row[i]));
   }
   for (const Cells& row : rows) {
     std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      line += row[i];
-      if (i + 1 < row.size()) line += std::string(widths[i] - widthOf(row[i]) + 2, ' ');
-    }
+    for (std::size_t i = 0; i < row.size(); ++i) line += toLeft(row[i], widths[i] + 2);
     line.erase(line.find_last_not_of(' ') + 1);
     std::cout << line << "\n";
   }
-  std::cout << joints.size() << " joints of " << product.bodies.size() << " bodies";
-  const char* separator = ": ";
-  for (const auto& [kind, count] : countsOf(joints)) {
-    std::cout << separator << count << " " << kind;
-    separator = ", ";
-  }
-  std::cout << "\n";
-  const auto holes = screwHoles(joints);
-  const auto doubtful = std::count_if(joints.begin(), joints.end(), [](const Joint& one) { return one.isDoubtful; });
-  if (holes > 0)
-    std::cout << "screws in bodies without a hole in the file, each of which makes its own: " << holes << "\n";
-  if (doubtful > 0)
-    std::cout << "joints whose evidence contradicts itself, for a person to decide (?): " << doubtful << "\n";
+  printCounts(joints, product, console);
 }
 
 void printJoints(const Joints& joints, const AssembledProduct& product) {
@@ -121,7 +124,7 @@ void printJoints(const Joints& joints, const AssembledProduct& product) {
 /// The joints that were found, changed as the scenario says.
 Result<Joints> jointsOf(const ProductFile& loaded, bool confirmsSuggested, const StopToken& stop) {
   Joints found = findJoints(loaded.product, stop, loaded.classes);
-  if (stop.stopRequested()) return Diagnostic{ErrorKind::Interrupted, "", "", GLISSADE_TEXT("was interrupted"), ""};
+  if (stop.stopRequested()) return Diagnostic{ErrorKind::Interrupted, "", "", GLISSADE_TEXT("was interrupted"), {}};
   auto joints = applied(std::move(found), loaded.joints, loaded.product);
   if (!joints || !confirmsSuggested) return joints;
   const auto confirmations = confirmationsOf(*joints, loaded.product);
@@ -135,7 +138,7 @@ int runJoints(const JointsOptions& options) {
   auto loaded = readProduct(options.file, interrupt.token(), options.deflection, {options.open, {}});
   if (!loaded) return reportError(loaded.error(), options.console);
   if (const Outcome left = leaveOut(options.without, *loaded); !left) return reportError(left.error(), options.console);
-  reportWarnings(loaded->warnings);
+  reportWarnings(loaded->warnings, options.console);
   loaded->product.bodies = aboutTheirMiddles(std::move(loaded->product.bodies));
   const auto joints = jointsOf(*loaded, options.confirmsSuggested, interrupt.token());
   if (!joints) {
@@ -146,7 +149,7 @@ int runJoints(const JointsOptions& options) {
   if (options.console.json) {
     printJoints(*joints, loaded->product);
   } else {
-    printTable(*joints, loaded->product);
+    printTable(*joints, loaded->product, options.console);
   }
   return 0;
 }

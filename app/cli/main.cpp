@@ -38,8 +38,8 @@ double metres(const std::string& text) {
   return *length;
 }
 
-void addConsole(CLI::App& command, Console& console) {
-  command.add_flag("--json", console.json, "One JSON object on standard output and nothing else");
+void addConsole(const Command& command, Console& console) {
+  command.flag("--json", console.json, GLISSADE_TEXT("One JSON object on standard output and nothing else"));
 }
 
 std::string plannerNames() {
@@ -49,42 +49,44 @@ std::string plannerNames() {
   return names;
 }
 
-void addLength(CLI::App& command, const std::string& option, const std::function<void(double)>& take,
+void addLength(const Command& command, const std::string& option, const std::function<void(double)>& take,
                const std::string& help) {
-  command.add_option_function<std::string>(
+  command.optionFor<std::string>(
       option, [take](const std::string& text) { take(metres(text)); }, help);
 }
 
 /// Adds one option for each row of the parameter table. Ranges are checked when the object's size is known.
-void addParameters(CLI::App& command, std::map<ParameterId, double>& values) {
+void addParameters(const Command& command, std::map<ParameterId, double>& values) {
   for (const ParameterSpec& spec : parameterTable()) {
     const std::string help =
         std::string(spec.help.english) + (spec.unit.empty() ? "" : " [" + std::string(spec.unit) + "]");
     if (spec.unit == "m") {
-      addLength(
-          command, std::string(spec.option), [&values, id = spec.id](double value) { values[id] = value; }, help);
+      command.length(
+          std::string(spec.option), [&values, id = spec.id](double value) { values[id] = value; }, help);
       continue;
     }
-    command.add_option_function<double>(
+    command.optionFor<double>(
         std::string(spec.option), [&values, id = spec.id](const double& value) { values[id] = value; }, help);
   }
 }
 
-void addAcceptClashes(CLI::App& command, FitOptions& options) {
-  addLength(
-      command, "--accept-clashes",
+void addAcceptClashes(const Command& command, FitOptions& options) {
+  command.length(
+      "--accept-clashes",
       [&options](double overlap) {
-        if (overlap < 0.0) throw CLI::ValidationError("--accept-clashes", "is below zero: give a length, as 1.5mm");
+        if (overlap < 0.0)
+          throw CLI::ValidationError("--accept-clashes", GLISSADE_TEXT("is below zero: give a length, as 1.5mm"));
         options.acceptedClash = overlap;
       },
-      "Take clashes up to this overlap as fits, as 1.5mm");
-  command.add_option("--cut", options.cut,
-                     "In accepted clashes, the body that is cut where it is not clear which of the two has the hole");
+      GLISSADE_TEXT("Take clashes up to this overlap as fits, as 1.5mm"));
+  command.option(
+      "--cut", options.cut,
+      GLISSADE_TEXT("In accepted clashes, the body that is cut where it is not clear which of the two has the hole"));
 }
 
-void addFitOptions(CLI::App& command, FitOptions& options, const std::string& usual) {
+void addFitOptions(const Command& command, FitOptions& options, const std::string& usual) {
   command
-      .add_option_function<std::string>(
+      .optionFor<std::string>(
           "--fits", [&options](const std::string& mode) { options.on = mode == "on"; },
           "Whether bodies that fit where they are assembled are taken thinner against each other: on or off "
           "(default: " +
@@ -93,268 +95,299 @@ void addFitOptions(CLI::App& command, FitOptions& options, const std::string& us
   addAcceptClashes(command, options);
 }
 
-CLI::App* addPlan(CLI::App& app, PlanOptions& options) {
-  CLI::App* plan = app.add_subcommand("plan", "Plan a motion and deliver it with its certificate");
-  plan->add_option("SCENARIO", options.scenario, "Scenario file or OMPL.app .cfg")->required();
-  plan->add_option("--strategy", options.strategy, "Planner: " + plannerNames() + " (default: the scenario's)");
+Command addPlan(const Command& app, PlanOptions& options) {
+  const Command plan = app.subcommand("plan", GLISSADE_TEXT("Plan a motion and deliver it with its certificate"));
+  plan.option("SCENARIO", options.scenario, GLISSADE_TEXT("Scenario file or OMPL.app .cfg"))->required();
+  plan.option("--strategy", options.strategy, "Planner: " + plannerNames() + " (default: the scenario's)");
   const std::map<std::string, CollisionBackend> backends{{"kernel", CollisionBackend::Kernel},
                                                          {"fcl", CollisionBackend::Fcl}};
-  plan->add_option_function<std::string>(
+  plan.optionFor<std::string>(
       "--collision",
       [&options, backends](const std::string& name) {
         const auto backend = backends.find(name);
         if (backend == backends.end()) throw CLI::ValidationError("--collision", "'" + name + "' is not kernel or fcl");
         options.collision = backend->second;
       },
-      "Collision checker: kernel or fcl (default: kernel)");
-  addFitOptions(*plan, options.fits, "the scenario's");
-  plan->add_option("--operator", options.operatorName,
-                   "Operator: none, novice, default, expert, simulated-haptic, task-novice, task-expert, misleading or "
-                   "replay:FILE");
-  plan->add_option("--way", options.way,
-                   "A simulated operator shows the way of this path, not the scenario's way-points");
-  addParameters(*plan, options.parameters);
+      GLISSADE_TEXT("Collision checker: kernel or fcl (default: kernel)"));
+  addFitOptions(plan, options.fits, GLISSADE_TEXT("the scenario's"));
+  plan.option("--operator", options.operatorName,
+              GLISSADE_TEXT(
+                  "Operator: none, novice, default, expert, simulated-haptic, task-novice, task-expert, misleading or "
+                  "replay:FILE"));
+  plan.option("--way", options.way,
+              GLISSADE_TEXT("A simulated operator shows the way of this path, not the scenario's way-points"));
+  addParameters(plan, options.parameters);
   plan->add_flag_callback(
       "--smooth", [&options] { options.parameters.try_emplace(ParameterId::Smoothing, kUsualShortcuts); },
       "Shorten the path and keep it certified: --smoothing " + std::to_string(kUsualShortcuts));
-  plan->add_flag("--edges", options.edges, "Report the certificate of every edge");
-  plan->add_flag("--difficulty", options.difficulty, "Where no path is found, print the reasons");
-  plan->add_option("--seed", options.seed, "Seed of everything random (default: the scenario's)");
-  plan->add_option("--out", options.out, "Write the path: " + toString(writablePathFormats()));
-  plan->add_option("--record", options.record, "Write a run record for replay");
-  addConsole(*plan, options.console);
+  plan.flag("--edges", options.edges, GLISSADE_TEXT("Report the certificate of every edge"));
+  plan.flag("--difficulty", options.difficulty, GLISSADE_TEXT("Where no path is found, print the reasons"));
+  plan.option("--seed", options.seed, GLISSADE_TEXT("Seed of everything random (default: the scenario's)"));
+  plan.option("--out", options.out, "Write the path: " + toString(writablePathFormats()));
+  plan.option("--record", options.record, GLISSADE_TEXT("Write a run record for replay"));
+  addConsole(plan, options.console);
   return plan;
 }
 
 /// Adds the option that all commands about products have.
-void addWithout(CLI::App& command, std::vector<std::string>& without) {
-  command.add_option("--without", without,
-                     "Leave a body or an assembly of the product out: its name (can be repeated)");
+void addWithout(const Command& command, std::vector<std::string>& without) {
+  command.option("--without", without,
+                 GLISSADE_TEXT("Leave a body or an assembly of the product out: its name (can be repeated)"));
 }
 
 /// Adds the option that all commands about product files have.
-void addOpen(CLI::App& command, std::vector<std::string>& open) {
-  command.add_option("--open", open, "Take a part of several solids as these: its name (can be repeated)");
+void addOpen(const Command& command, std::vector<std::string>& open) {
+  command.option("--open", open, GLISSADE_TEXT("Take a part of several solids as these: its name (can be repeated)"));
 }
 
 /// Adds the option of commands that work in several threads and whose results do not depend on their number.
-void addLanes(CLI::App& command, std::size_t& lanes) {
-  command.add_option("--lanes", lanes, "Threads; they do not change the result (default: one for each core)")
+void addLanes(const Command& command, std::size_t& lanes) {
+  command
+      .option("--lanes", lanes, GLISSADE_TEXT("Threads; they do not change the result (default: one for each core)"))
       ->check(CLI::Range(1, 1024));
 }
 
-CLI::App* addCheck(CLI::App& app, CheckOptions& options) {
-  CLI::App* check = app.add_subcommand("check", "Judge a path or an assembly plan with the independent check");
+Command addCheck(const Command& app, CheckOptions& options) {
+  const Command check =
+      app.subcommand("check", GLISSADE_TEXT("Judge a path or an assembly plan with the independent check"));
   check
-      ->add_option("SCENARIO", options.scenario,
-                   "Scenario file or OMPL.app .cfg; of an assembly plan the product, as in sequence")
+      .option("SCENARIO", options.scenario,
+              GLISSADE_TEXT("Scenario file or OMPL.app .cfg; of an assembly plan the product, as in sequence"))
       ->required();
-  check->add_option("PATH", options.path, "Assembly plan, or path: " + toString(readablePathFormats()))->required();
-  addLength(
-      *check, std::string(specOf(ParameterId::RequiredClearance).option),
+  check.option("PATH", options.path, "Assembly plan, or path: " + toString(readablePathFormats()))->required();
+  check.length(
+      std::string(specOf(ParameterId::RequiredClearance).option),
       [&options](double value) { options.requiredClearance = value; },
-      "Clearance to prove [m] (default: the scenario's)");
-  addFitOptions(*check, options.fits, "the scenario's");
-  check->add_flag("--edges", options.edges, "Report the certificate of every edge");
-  check->add_flag("--trust-plan", options.trustPlan,
-                  "What the plan states itself counts as a person's word: bends, flexible bodies, units, accepted "
-                  "clashes, demands that are given up");
-  addWithout(*check, options.without);
-  addOpen(*check, options.open);
-  check->add_option("--time-limit", options.timeLimit, "Time limit in seconds; 0: none")->capture_default_str();
-  addConsole(*check, options.console);
+      GLISSADE_TEXT("Clearance to prove [m] (default: the scenario's)"));
+  addFitOptions(check, options.fits, GLISSADE_TEXT("the scenario's"));
+  check.flag("--edges", options.edges, GLISSADE_TEXT("Report the certificate of every edge"));
+  check.flag(
+      "--trust-plan", options.trustPlan,
+      GLISSADE_TEXT("What the plan states itself counts as a person's word: bends, flexible bodies, units, accepted "
+                    "clashes, demands that are given up"));
+  addWithout(check, options.without);
+  addOpen(check, options.open);
+  check.option("--time-limit", options.timeLimit, GLISSADE_TEXT("Time limit in seconds; 0: none"))
+      ->capture_default_str();
+  addConsole(check, options.console);
   return check;
 }
 
-CLI::App* addSmooth(CLI::App& app, SmoothOptions& options) {
-  CLI::App* smooth = app.add_subcommand("smooth", "Shorten a certified path and keep it certified");
-  smooth->add_option("SCENARIO", options.scenario, "Scenario file or OMPL.app .cfg")->required();
-  smooth->add_option("PATH", options.input, "Path: " + toString(readablePathFormats()))->required();
-  smooth->add_option("OUT", options.output, "Write the path: " + toString(writablePathFormats()))->required();
-  smooth->add_option("--attempts", options.attempts, "Shortcuts to try")
+Command addSmooth(const Command& app, SmoothOptions& options) {
+  const Command smooth = app.subcommand("smooth", GLISSADE_TEXT("Shorten a certified path and keep it certified"));
+  smooth.option("SCENARIO", options.scenario, GLISSADE_TEXT("Scenario file or OMPL.app .cfg"))->required();
+  smooth.option("PATH", options.input, "Path: " + toString(readablePathFormats()))->required();
+  smooth.option("OUT", options.output, "Write the path: " + toString(writablePathFormats()))->required();
+  smooth.option("--attempts", options.attempts, GLISSADE_TEXT("Shortcuts to try"))
       ->check(CLI::Range(0, 1'000'000))
       ->capture_default_str();
-  smooth->add_option("--seed", options.seed, "Seed of the shortcuts")->capture_default_str();
-  addConsole(*smooth, options.console);
+  smooth.option("--seed", options.seed, GLISSADE_TEXT("Seed of the shortcuts"))->capture_default_str();
+  addConsole(smooth, options.console);
   return smooth;
 }
 
-CLI::App* addSweep(CLI::App& app, SweepOptions& options) {
-  CLI::App* sweep = app.add_subcommand("sweep", "Write the swept volume of a path: all that the object covers");
-  sweep->add_option("SCENARIO", options.scenario, "Scenario file or OMPL.app .cfg")->required();
-  sweep->add_option("PATH", options.path, "Path: " + toString(readablePathFormats()))->required();
-  sweep->add_option("OUT", options.output, "Write the swept volume: .stl (millimetres) or .glb")->required();
-  addLength(
-      *sweep, "--bound", [&options](double bound) { options.bound = bound; },
-      "How far its surface may be from the object, as 0.5mm (default: one with which the volume is about 7 % too "
-      "large)");
-  addConsole(*sweep, options.console);
+Command addSweep(const Command& app, SweepOptions& options) {
+  const Command sweep =
+      app.subcommand("sweep", GLISSADE_TEXT("Write the swept volume of a path: all that the object covers"));
+  sweep.option("SCENARIO", options.scenario, GLISSADE_TEXT("Scenario file or OMPL.app .cfg"))->required();
+  sweep.option("PATH", options.path, "Path: " + toString(readablePathFormats()))->required();
+  sweep.option("OUT", options.output, GLISSADE_TEXT("Write the swept volume: .stl (millimetres) or .glb"))->required();
+  sweep.length(
+      "--bound", [&options](double bound) { options.bound = bound; },
+      GLISSADE_TEXT(
+          "How far its surface may be from the object, as 0.5mm (default: one with which the volume is about 7 % too "
+          "large)"));
+  addConsole(sweep, options.console);
   return sweep;
 }
 
-CLI::App* addInfo(CLI::App& app, InfoOptions& options) {
-  CLI::App* info = app.add_subcommand("info", "Show bodies, triangles, units and the quality of the meshes");
-  info->add_option("FILE", options.file, "Scenario, OMPL.app .cfg, or part file (STEP, IGES, BREP, mesh, URDF)")
+Command addInfo(const Command& app, InfoOptions& options) {
+  const Command info =
+      app.subcommand("info", GLISSADE_TEXT("Show bodies, triangles, units and the quality of the meshes"));
+  info.option("FILE", options.file,
+              GLISSADE_TEXT("Scenario, OMPL.app .cfg, or part file (STEP, IGES, BREP, mesh, URDF)"))
       ->required();
-  info->add_flag("--places", options.places, "Build the environment model: octree, places, borders, compatibility");
-  info->add_flag("--save-regions", options.saveRegions,
-                 "Write into the scenario file where its forbidden places are, which 'check' reads");
-  addOpen(*info, options.open);
-  addConsole(*info, options.console);
+  info.flag("--places", options.places,
+            GLISSADE_TEXT("Build the environment model: octree, places, borders, compatibility"));
+  info.flag("--save-regions", options.saveRegions,
+            GLISSADE_TEXT("Write into the scenario file where its forbidden places are, which 'check' reads"));
+  addOpen(info, options.open);
+  addConsole(info, options.console);
   return info;
 }
 
 /// Adds the option for commands that take part files; a scenario states the deflection of its assets itself.
-void addPartDeflection(CLI::App& command, double& deflection) {
-  addLength(
-      command, "--deflection",
+void addPartDeflection(const Command& command, double& deflection) {
+  command.length(
+      "--deflection",
       [&deflection](double value) {
-        if (!limits::isSize(value)) throw CLI::ValidationError("--deflection", "is not from 1e-12 m to 1e9 m");
+        if (!limits::isSize(value))
+          throw CLI::ValidationError("--deflection", GLISSADE_TEXT("is not from 1e-12 m to 1e9 m"));
         deflection = value;
       },
-      "How far triangles may be off the surfaces of a STEP file, as 0.05mm (default: by the size of each part)");
+      GLISSADE_TEXT(
+          "How far triangles may be off the surfaces of a STEP file, as 0.05mm (default: by the size of each part)"));
 }
 
-CLI::App* addFits(CLI::App& app, FitsOptions& options) {
-  CLI::App* fits = app.add_subcommand("fits", "List the contacts, fits and clashes of a product as it is assembled");
-  fits->add_option("FILE", options.file, "Scenario, STEP, IGES or BREP file, or an assembly in one (product.step:pump)")
+Command addFits(const Command& app, FitsOptions& options) {
+  const Command fits =
+      app.subcommand("fits", GLISSADE_TEXT("List the contacts, fits and clashes of a product as it is assembled"));
+  fits.option("FILE", options.file,
+              GLISSADE_TEXT("Scenario, STEP, IGES or BREP file, or an assembly in one (product.step:pump)"))
       ->required();
-  addLength(
-      *fits, "--clearance-up-to", [&options](double distance) { options.limits.clearanceUpTo = distance; },
-      "List pairs with a gap of up to this, too, as 0.5mm (default: 0)");
-  addLength(
-      *fits, "--clash-above", [&options](double overlap) { options.limits.clashOverlap = overlap; },
-      "An overlap above this is a clash (default: 1mm)");
-  fits->add_option("--clash-share", options.limits.clashThickness,
-                   "An overlap above this share of the local thickness is a clash, too")
+  fits.length(
+      "--clearance-up-to", [&options](double distance) { options.limits.clearanceUpTo = distance; },
+      GLISSADE_TEXT("List pairs with a gap of up to this, too, as 0.5mm (default: 0)"));
+  fits.length(
+      "--clash-above", [&options](double overlap) { options.limits.clashOverlap = overlap; },
+      GLISSADE_TEXT("An overlap above this is a clash (default: 1mm)"));
+  fits.option("--clash-share", options.limits.clashThickness,
+              GLISSADE_TEXT("An overlap above this share of the local thickness is a clash, too"))
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
-  addAcceptClashes(*fits, options.fits);
-  addPartDeflection(*fits, options.deflection);
-  addWithout(*fits, options.without);
-  addOpen(*fits, options.open);
-  addLanes(*fits, options.lanes);
-  fits->add_flag("--csv", options.csv, "Comma-separated values, a line a pair");
-  addConsole(*fits, options.console);
+  addAcceptClashes(fits, options.fits);
+  addPartDeflection(fits, options.deflection);
+  addWithout(fits, options.without);
+  addOpen(fits, options.open);
+  addLanes(fits, options.lanes);
+  fits.flag("--csv", options.csv, GLISSADE_TEXT("Comma-separated values, a line a pair"));
+  addConsole(fits, options.console);
   return fits;
 }
 
-CLI::App* addJoints(CLI::App& app, JointsOptions& options) {
-  CLI::App* joints = app.add_subcommand("joints", "List how the bodies of a product are joined: screws, nuts, inserts");
+Command addJoints(const Command& app, JointsOptions& options) {
+  const Command joints =
+      app.subcommand("joints", GLISSADE_TEXT("List how the bodies of a product are joined: screws, nuts, inserts"));
   joints
-      ->add_option("FILE", options.file, "Scenario, STEP, IGES or BREP file, or an assembly in one (product.step:pump)")
+      .option("FILE", options.file,
+              GLISSADE_TEXT("Scenario, STEP, IGES or BREP file, or an assembly in one (product.step:pump)"))
       ->required();
   joints
-      ->add_option_function<std::string>(
+      .optionFor<std::string>(
           "--joints", [&options](const std::string& mode) { options.confirmsSuggested = mode == "suggested"; },
-          "suggested: joints that are suggested count as if a person had confirmed them; recognised: they do not "
-          "(default)")
+          GLISSADE_TEXT(
+              "suggested: joints that are suggested count as if a person had confirmed them; recognised: they do not "
+              "(default)"))
       ->check(CLI::IsMember({"recognised", "suggested"}));
-  addPartDeflection(*joints, options.deflection);
-  addWithout(*joints, options.without);
-  addOpen(*joints, options.open);
-  addConsole(*joints, options.console);
+  addPartDeflection(joints, options.deflection);
+  addWithout(joints, options.without);
+  addOpen(joints, options.open);
+  addConsole(joints, options.console);
   return joints;
 }
 
-CLI::App* addSequence(CLI::App& app, SequenceOptions& options) {
-  CLI::App* sequence =
-      app.add_subcommand("sequence", "Find in which order the parts of a product leave, with a certified motion each");
+Command addSequence(const Command& app, SequenceOptions& options) {
+  const Command sequence = app.subcommand(
+      "sequence", GLISSADE_TEXT("Find in which order the parts of a product leave, with a certified motion each"));
   sequence
-      ->add_option("FILE", options.file,
-                   "Scenario, STEP, IGES or BREP file, an assembly in one (product.step:pump), or URDF file")
+      .option("FILE", options.file,
+              GLISSADE_TEXT("Scenario, STEP, IGES or BREP file, an assembly in one (product.step:pump), or URDF file"))
       ->required();
-  sequence->add_option("--out", options.out, "Write the assembly plan (.json), also while it is planned");
-  sequence->add_option("--save-every", options.saveEvery, "Seconds after which the plan so far is written to --out")
+  sequence.option("--out", options.out, GLISSADE_TEXT("Write the assembly plan (.json), also while it is planned"));
+  sequence
+      .option("--save-every", options.saveEvery,
+              GLISSADE_TEXT("Seconds after which the plan so far is written to --out"))
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
-  sequence->add_option("--resume", options.resume, "Go on from a plan that has not ended");
-  sequence->add_option("--strategy", options.strategy,
-                       "How the order is searched: best-first or greedy (default: best-first, or the resumed plan's)");
-  sequence->add_option("--seed", options.seed, "Seed of everything random (default: 1, or the resumed plan's)");
-  addLanes(*sequence, options.lanes);
+  sequence.option("--resume", options.resume, GLISSADE_TEXT("Go on from a plan that has not ended"));
+  sequence.option(
+      "--strategy", options.strategy,
+      GLISSADE_TEXT("How the order is searched: best-first or greedy (default: best-first, or the resumed plan's)"));
+  sequence.option("--seed", options.seed,
+                  GLISSADE_TEXT("Seed of everything random (default: 1, or the resumed plan's)"));
+  addLanes(sequence, options.lanes);
   sequence
-      ->add_option("--time-limit", options.timeLimit,
-                   "Time limit in seconds; the plan found so far is then written; 0: none")
+      .option("--time-limit", options.timeLimit,
+              GLISSADE_TEXT("Time limit in seconds; the plan found so far is then written; 0: none"))
       ->capture_default_str();
-  sequence->add_option("--stay", options.staying, "Bodies that are not to leave (default: the largest)");
-  sequence->add_option("--together", options.together, "Bodies that leave as one: names with commas between them");
-  sequence->add_option("--before", options.before, "first,then: the first body leaves before the second");
-  sequence->add_option("--place", options.places, "3,name: the body leaves as the third step; 3,name,name: as one");
-  sequence->add_option("--forbid", options.forbidden,
-                       "name,-z or name,0,0,-1: the body does not leave in this direction");
-  sequence->add_option("--joints", options.joints,
-                       "Joints that the plan keeps to: recognised, suggested (those too that a person would have to "
-                       "confirm) or off (default: the scenario's, or recognised)");
-  sequence->add_option("--gravity", options.gravity, "Direction of gravity: x y z (default: the scenario's, or 0 0 -1)")
+  sequence.option("--stay", options.staying, GLISSADE_TEXT("Bodies that are not to leave (default: the largest)"));
+  sequence.option("--together", options.together,
+                  GLISSADE_TEXT("Bodies that leave as one: names with commas between them"));
+  sequence.option("--before", options.before, GLISSADE_TEXT("first,then: the first body leaves before the second"));
+  sequence.option("--place", options.places,
+                  GLISSADE_TEXT("3,name: the body leaves as the third step; 3,name,name: as one"));
+  sequence.option("--forbid", options.forbidden,
+                  GLISSADE_TEXT("name,-z or name,0,0,-1: the body does not leave in this direction"));
+  sequence.option(
+      "--joints", options.joints,
+      GLISSADE_TEXT("Joints that the plan keeps to: recognised, suggested (those too that a person would have to "
+                    "confirm) or off (default: the scenario's, or recognised)"));
+  sequence
+      .option("--gravity", options.gravity,
+              GLISSADE_TEXT("Direction of gravity: x y z (default: the scenario's, or 0 0 -1)"))
       ->expected(3);
-  sequence->add_option(
+  sequence.option(
       "--cost", options.cost,
-      "What a step costs for best-first: fitter, balanced, steady, few-tools, short, fragile-first, as-found, "
-      "or an expression (default: the scenario's, or fitter)");
-  addPartDeflection(*sequence, options.deflection);
-  addWithout(*sequence, options.without);
-  addOpen(*sequence, options.open);
-  addFitOptions(*sequence, options.fits, "on, or the scenario's");
-  addConsole(*sequence, options.console);
+      GLISSADE_TEXT(
+          "What a step costs for best-first: fitter, balanced, steady, few-tools, short, fragile-first, as-found, "
+          "or an expression (default: the scenario's, or fitter)"));
+  addPartDeflection(sequence, options.deflection);
+  addWithout(sequence, options.without);
+  addOpen(sequence, options.open);
+  addFitOptions(sequence, options.fits, GLISSADE_TEXT("on, or the scenario's"));
+  addConsole(sequence, options.console);
   return sequence;
 }
 
-CLI::App* addTimes(CLI::App& app, TimesOptions& options) {
-  CLI::App* times =
-      app.add_subcommand("times", "How long the steps of an assembly plan take, also divided over a line");
-  times->add_option("FILE", options.product, "The product of the plan: a scenario or a STEP file")->required();
-  times->add_option("PLAN", options.plan, "Assembly plan, as 'sequence --out' writes it")->required();
-  times->add_option("--stations", options.stations, "Divide the steps over so many stations, one person each");
-  times->add_option("--table", options.table, "File of work times (default: the program's estimates)");
-  times->add_option("--write-table", options.writeTable, "Write the table of work times to a file, to be edited");
-  addConsole(*times, options.console);
+Command addTimes(const Command& app, TimesOptions& options) {
+  const Command times =
+      app.subcommand("times", GLISSADE_TEXT("How long the steps of an assembly plan take, also divided over a line"));
+  times.option("FILE", options.product, GLISSADE_TEXT("The product of the plan: a scenario or a STEP file"))
+      ->required();
+  times.option("PLAN", options.plan, GLISSADE_TEXT("Assembly plan, as 'sequence --out' writes it"))->required();
+  times.option("--stations", options.stations,
+               GLISSADE_TEXT("Divide the steps over so many stations, one person each"));
+  times.option("--table", options.table, GLISSADE_TEXT("File of work times (default: the program's estimates)"));
+  times.option("--write-table", options.writeTable,
+               GLISSADE_TEXT("Write the table of work times to a file, to be edited"));
+  addConsole(times, options.console);
   return times;
 }
 
-CLI::App* addAccess(CLI::App& app, AccessOptions& options) {
-  CLI::App* access = app.add_subcommand(
-      "access", "Whether a hand gets to a path or to the steps of an assembly plan, and an eye sees");
+Command addAccess(const Command& app, AccessOptions& options) {
+  const Command access = app.subcommand(
+      "access", GLISSADE_TEXT("Whether a hand gets to a path or to the steps of an assembly plan, and an eye sees"));
   access->footer(
       "Hand, forearm and tool are sampled along each motion; this is no proof. Measures: ANSUR II (NATICK/TR-15/007).\n"
       "Exit codes: 0 all is reached and seen, 1 not all, 2 wrong usage, 3 unreadable input, 130 interrupted.");
-  access->add_option("FILE", options.file, "The scenario of the path, or the product of the plan")->required();
-  access->add_option("--path", options.path, "Path of the object: " + toString(readablePathFormats()));
-  access->add_option("--plan", options.plan, "Assembly plan, as 'sequence --out' writes it");
+  access.option("FILE", options.file, GLISSADE_TEXT("The scenario of the path, or the product of the plan"))
+      ->required();
+  access.option("--path", options.path, "Path of the object: " + toString(readablePathFormats()));
+  access.option("--plan", options.plan, GLISSADE_TEXT("Assembly plan, as 'sequence --out' writes it"));
   std::map<std::string, HandSize> sizes;
   for (const HandSize size : kHandSizes) sizes[kHandSizeNames.of(size)] = size;
   access
-      ->add_option_function<std::string>(
+      .optionFor<std::string>(
           "--hand", [&options, sizes](const std::string& size) { options.hand = sizes.at(size); },
-          "Whose hand: p5f 5th percentile of women, p50 average, p95m 95th percentile of men (default: p50)")
+          GLISSADE_TEXT(
+              "Whose hand: p5f 5th percentile of women, p50 average, p95m 95th percentile of men (default: p50)"))
       ->check(CLI::IsMember(sizes));
   access
-      ->add_option("--eye", options.eye,
-                   "From where the place is looked at: x y z in metres (default: 17 positions above it are tried)")
+      .option("--eye", options.eye,
+              GLISSADE_TEXT(
+                  "From where the place is looked at: x y z in metres (default: 17 positions above it are tried)"))
       ->expected(3);
-  addConsole(*access, options.console);
+  addConsole(access, options.console);
   return access;
 }
 
-CLI::App* addConvert(CLI::App& app, ConvertOptions& options) {
-  CLI::App* convert =
-      app.add_subcommand("convert", "Convert an OMPL.app .cfg to a scenario, or a path to another format");
+Command addConvert(const Command& app, ConvertOptions& options) {
+  const Command convert =
+      app.subcommand("convert", GLISSADE_TEXT("Convert an OMPL.app .cfg to a scenario, or a path to another format"));
   convert
-      ->add_option("IN", options.input,
-                   "What to read: a .cfg, a scenario; or a path: " + toString(readablePathFormats()))
+      .option("IN", options.input, "What to read: a .cfg, a scenario; or a path: " + toString(readablePathFormats()))
       ->required();
   convert
-      ->add_option("OUT", options.output,
-                   "What to write: a scenario (.json); or a path: " + toString(writablePathFormats()))
+      .option("OUT", options.output, "What to write: a scenario (.json); or a path: " + toString(writablePathFormats()))
       ->required();
-  convert->add_option("--scenario", options.scenario,
-                      "Scenario of the path, for formats that hold its clearances or bodies");
+  convert.option("--scenario", options.scenario,
+                 GLISSADE_TEXT("Scenario of the path, for formats that hold its clearances or bodies"));
   return convert;
 }
 
-CLI::App* addNew(CLI::App& app, NewOptions& options) {
-  CLI::App* make =
-      app.add_subcommand("new", "Make a scenario of part files (meshes, STEP, IGES, BREP, URDF), of which one moves");
+Command addNew(const Command& app, NewOptions& options) {
+  const Command make = app.subcommand(
+      "new", GLISSADE_TEXT("Make a scenario of part files (meshes, STEP, IGES, BREP, URDF), of which one moves"));
   make->footer(
       "A part of a STEP file is named behind its file: --moves product.step:pin --static product.step makes a body\n"
       "of every other part. An assembly in the file (product.step:pump) stands for all of its parts; two parts of\n"
@@ -362,80 +395,91 @@ CLI::App* addNew(CLI::App& app, NewOptions& options) {
       "its solids is a body. #3 is the third part that 'info' lists. A group of an OBJ file is named in the same way: "
       "--moves product.obj:lid --groups\n"
       "--static product.obj makes a body of every other group.");
-  make->add_option("OUT", options.output, "Scenario file to write")->required();
-  make->add_option("--moves", options.moving, "The part that moves (can be repeated: they move as one)")
+  make.option("OUT", options.output, GLISSADE_TEXT("Scenario file to write"))->required();
+  make.option("--moves", options.moving, GLISSADE_TEXT("The part that moves (can be repeated: they move as one)"))
       ->required()
       ->allow_extra_args(false);
-  make->add_option("--static", options.statics, "Parts that stay where they are");
-  make->add_option("--mobile", options.mobiles, "Parts in the way that a person could move");
-  addLength(
-      *make, "--unit", [&options](double unit) { options.unit = unit; },
-      "A unit of the files, as 1mm, 1m, 1in or 25.4mm (default: 1m for Collada and glTF; for other meshes 1mm, or 1m "
-      "where only that fits their size, which a warning says); STEP and URDF files say it themselves");
+  make.option("--static", options.statics, GLISSADE_TEXT("Parts that stay where they are"));
+  make.option("--mobile", options.mobiles, GLISSADE_TEXT("Parts in the way that a person could move"));
+  make.length(
+      "--unit", [&options](double unit) { options.unit = unit; },
+      GLISSADE_TEXT("A unit of the files, as 1mm, 1m, 1in or 25.4mm (default: 1m for Collada and glTF; for other "
+                    "meshes 1mm, or 1m "
+                    "where only that fits their size, which a warning says); STEP and URDF files say it themselves"));
   const std::map<std::string, UpAxis> axes{{"y", UpAxis::Y}, {"z", UpAxis::Z}};
-  make->add_option_function<std::string>(
+  make.optionFor<std::string>(
           "--up", [&options, axes](const std::string& axis) { options.up = axes.at(axis); },
-          "The files' axis that points up (default: y for Collada and glTF, z for other meshes)")
+          GLISSADE_TEXT("The files' axis that points up (default: y for Collada and glTF, z for other meshes)"))
       ->check(CLI::IsMember(axes));
-  addLength(
-      *make, "--deflection",
+  make.length(
+      "--deflection",
       [&options](double deflection) {
-        if (!limits::isSize(deflection)) throw CLI::ValidationError("--deflection", "is not from 1e-12 m to 1e9 m");
+        if (!limits::isSize(deflection))
+          throw CLI::ValidationError("--deflection", GLISSADE_TEXT("is not from 1e-12 m to 1e9 m"));
         options.deflection = deflection;
       },
-      "How far the triangles of STEP parts may be off their surfaces, as 0.05mm (default: a thousandth of each "
-      "part's diagonal, from 0.01mm to 0.5mm)");
-  make->add_flag("--groups", options.groups, "Take each group of an OBJ file (o or g) as a part of its own");
-  make->add_flag("--close-holes", options.closeHoles, "Close the planar holes of meshes, and print how many");
-  addWithout(*make, options.without);
-  addFitOptions(*make, options.fits, "on");
-  make->add_flag("--clear", options.clear, "Move the start clear of the bodies that it touches, and print how far");
+      GLISSADE_TEXT(
+          "How far the triangles of STEP parts may be off their surfaces, as 0.05mm (default: a thousandth of each "
+          "part's diagonal, from 0.01mm to 0.5mm)"));
+  make.flag("--groups", options.groups, GLISSADE_TEXT("Take each group of an OBJ file (o or g) as a part of its own"));
+  make.flag("--close-holes", options.closeHoles, GLISSADE_TEXT("Close the planar holes of meshes, and print how many"));
+  addWithout(make, options.without);
+  addFitOptions(make, options.fits, GLISSADE_TEXT("on"));
+  make.flag("--clear", options.clear,
+            GLISSADE_TEXT("Move the start clear of the bodies that it touches, and print how far"));
   return make;
 }
 
-CLI::App* addStudy(CLI::App& app, StudyOptions& options) {
-  CLI::App* study = app.add_subcommand("study", "Repeat runs over scenarios, strategies, parameters and seeds");
-  study->add_option("STUDY", options.study, "Study file (samples/studies)")->required();
-  study->add_option("--out", options.out, "Folder of the results; a study that was begun there is continued")
+Command addStudy(const Command& app, StudyOptions& options) {
+  const Command study =
+      app.subcommand("study", GLISSADE_TEXT("Repeat runs over scenarios, strategies, parameters and seeds"));
+  study.option("STUDY", options.study, GLISSADE_TEXT("Study file (samples/studies)"))->required();
+  study.option("--out", options.out, GLISSADE_TEXT("Folder of the results; a study that was begun there is continued"))
       ->required();
-  study->add_option("--jobs", options.jobs, "Runs at once")->check(CLI::Range(1, 1024))->capture_default_str();
-  study->add_option("--shard", options.shard, "I/N: only every N-th run, from the I-th; see merge")
+  study.option("--jobs", options.jobs, GLISSADE_TEXT("Runs at once"))
+      ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  study->add_flag("--quick", options.quick, "The study's quick section: about a minute");
-  study->add_flag("--dry-run", options.dryRun, "Print what would be run; write nothing");
+  study.option("--shard", options.shard, GLISSADE_TEXT("I/N: only every N-th run, from the I-th; see merge"))
+      ->capture_default_str();
+  study.flag("--quick", options.quick, GLISSADE_TEXT("The study's quick section: about a minute"));
+  study.flag("--dry-run", options.dryRun, GLISSADE_TEXT("Print what would be run; write nothing"));
   return study;
 }
 
-CLI::App* addMerge(CLI::App& app, MergeOptions& options) {
-  CLI::App* merge =
-      app.add_subcommand("merge", "Combine the results of the parts of a study (--shard) and write its tables");
-  merge->add_option("DIR", options.folders, "Folders of results")->required();
-  merge->add_option("--out", options.out, "Folder of the combined results")->required();
+Command addMerge(const Command& app, MergeOptions& options) {
+  const Command merge = app.subcommand(
+      "merge", GLISSADE_TEXT("Combine the results of the parts of a study (--shard) and write its tables"));
+  merge.option("DIR", options.folders, GLISSADE_TEXT("Folders of results"))->required();
+  merge.option("--out", options.out, GLISSADE_TEXT("Folder of the combined results"))->required();
   return merge;
 }
 
-CLI::App* addReport(CLI::App& app, ReportOptions& options) {
-  CLI::App* report =
-      app.add_subcommand("report", "Write the report of a study: tables, plots, findings, one HTML page");
-  report->add_option("DIR", options.folder, "Folder of results")->required();
-  report->add_option("--out", options.out, "Folder of report.html (default: DIR)");
-  report->add_option("--language", options.language, "Language of the report")
+Command addReport(const Command& app, ReportOptions& options) {
+  const Command report =
+      app.subcommand("report", GLISSADE_TEXT("Write the report of a study: tables, plots, findings, one HTML page"));
+  report.option("DIR", options.folder, GLISSADE_TEXT("Folder of results"))->required();
+  report.option("--out", options.out, GLISSADE_TEXT("Folder of report.html (default: DIR)"));
+  report.option("--language", options.language, GLISSADE_TEXT("Language of the report"))
       ->check(CLI::IsMember({"en", "fr"}))
       ->capture_default_str();
   return report;
 }
 
-CLI::App* addBenchmarkPage(CLI::App& app, std::string& folder) {
-  CLI::App* page = app.add_subcommand("benchmark-page", "Write the page of results of packaging/benchmarks.sh");
-  page->add_option("DIR", folder, "Folder of results")->required();
+Command addBenchmarkPage(const Command& app, std::string& folder) {
+  const Command page =
+      app.subcommand("benchmark-page", GLISSADE_TEXT("Write the page of results of packaging/benchmarks.sh"));
+  page.option("DIR", folder, GLISSADE_TEXT("Folder of results"))->required();
   return page;
 }
 
-CLI::App* addReplay(CLI::App& app, ReplayOptions& options) {
-  CLI::App* replay = app.add_subcommand("replay", "Run a recorded run again and compare the roadmaps bit by bit");
-  replay->add_option("RECORD", options.record, "Run record, or the journal of a run that was interrupted")->required();
-  replay->add_option("--scenario", options.scenario, "Scenario of the run (default: the one that the record names)");
-  addConsole(*replay, options.console);
+Command addReplay(const Command& app, ReplayOptions& options) {
+  const Command replay =
+      app.subcommand("replay", GLISSADE_TEXT("Run a recorded run again and compare the roadmaps bit by bit"));
+  replay.option("RECORD", options.record, GLISSADE_TEXT("Run record, or the journal of a run that was interrupted"))
+      ->required();
+  replay.option("--scenario", options.scenario,
+                GLISSADE_TEXT("Scenario of the run (default: the one that the record names)"));
+  addConsole(replay, options.console);
   return replay;
 }
 

@@ -1,7 +1,6 @@
 #include "app/cli/commands.h"
 
-#include <iostream>
-
+#include "app/cli/text_cells.h"
 #include "engine/assembly/body_choice.h"
 #include "engine/import/mesh_import.h"
 #include "engine/planning/automatic/move_to_clearance.h"
@@ -41,18 +40,19 @@ std::vector<PartFile> partsOf(const NewOptions& options) {
 Result<double> clearStart(const LoadedScenario& loaded, Scenario& scenario) {
   const Pose& start = loaded.problem.start;
   const auto clear = moveToClearance(wholeWorld(loaded), start, loaded.parameters[ParameterId::RequiredClearance]);
-  if (!clear) return Diagnostic{clear.error().kind, "", "start", clear.error().reason, clear.error().advice};
+  if (!clear)
+    return Diagnostic{clear.error().kind, "", GLISSADE_TEXT("start"), clear.error().reason, clear.error().advice};
   scenario.start = *clear;
   return 1000.0 * (clear->position - start.position).norm();
 }
 
 /// Leaves the named bodies out and warns of each. The scenario keeps them as left out. The part that moves cannot be
 /// left out.
-Outcome leaveOut(const std::vector<std::string>& names, Scenario& scenario) {
-  if (names.empty()) return Done{};
+Outcome leaveOut(const NewOptions& options, Scenario& scenario) {
+  if (options.without.empty()) return Done{};
   std::vector<std::string> ids;
   for (const BodyDescription* body : presentBodiesOf(scenario)) ids.push_back(body->id);
-  const auto meant = bodiesMeant(ids, names, "--without", treeOf(scenario));
+  const auto meant = bodiesMeant(ids, options.without, "--without", treeOf(scenario));
   if (!meant) return meant.error();
   const std::size_t others = scenario.bodies.size();
   for (std::size_t i = 0; i < ids.size(); ++i) {
@@ -62,7 +62,7 @@ Outcome leaveOut(const std::vector<std::string>& names, Scenario& scenario) {
                         GLISSADE_TEXT("Name another body.")};
     }
     if (const Outcome left = glissade::leaveOut(ids[i], scenario); !left) return left;
-    reportWarnings({isLeftOut(scenario.leftOut.back().name)});
+    reportWarnings({isLeftOut(scenario.leftOut.back().name)}, options.console);
   }
   return Done{};
 }
@@ -75,27 +75,26 @@ int runNew(const NewOptions& options) {
   if (!options.unit) {
     const auto guessed = guessUnits(parts, read);
     if (!guessed) return reportError(guessed.error(), options.console);
-    reportWarnings(*guessed);
+    reportWarnings(*guessed, options.console);
   }
   auto scenario = scenarioOfParts(parts, &read);
   if (!scenario) return reportError(scenario.error(), options.console);
-  if (const Outcome left = leaveOut(options.without, *scenario); !left)
-    return reportError(left.error(), options.console);
+  if (const Outcome left = leaveOut(options, *scenario); !left) return reportError(left.error(), options.console);
   scenario->fits = withOptions(scenario->fits, options.fits);
   const auto loaded = loadGeometry(*scenario, ".", "", read);
   if (!loaded) return reportError(loaded.error(), options.console);
-  reportWarnings(loaded->warnings);
-  if (!options.clear) reportWarnings(loaded->fits.warnings);
+  reportWarnings(loaded->warnings, options.console);
+  if (!options.clear) reportWarnings(loaded->fits.warnings, options.console);
   if (options.clear) {
     const auto gone = clearStart(*loaded, *scenario);
     if (!gone) return reportError(gone.error(), options.console);
-    if (*gone > 0.0) std::cout << "start moved clear by " << *gone << " mm\n";
+    if (*gone > 0.0) options.console.print({GLISSADE_TEXT("start moved clear by %1 mm"), {rounded(*gone)}});
   }
   const SaveResult saved =
       saveScenarioFile(movedTo(options.output, std::move(*scenario), ""), options.output, std::nullopt);
   if (!saved) return reportError(saved.why, options.console);
-  reportWarnings(saved.warnings);
-  std::cout << "wrote " << options.output << "\n";
+  reportWarnings(saved.warnings, options.console);
+  options.console.print({GLISSADE_TEXT("wrote %1"), {options.output}});
   return 0;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <iostream>
 
 #include "app/cli/environment_report.h"
 #include "app/cli/interrupt.h"
@@ -54,7 +53,10 @@ std::string lowerCase(std::string text) {
 
 Outcome checkPlanner(const std::string& id) {
   if (makePlannerRegistry().find(id) != nullptr) return Done{};
-  return Diagnostic{ErrorKind::Usage, "", "--strategy", "there is no planner '" + id + "'",
+  return Diagnostic{ErrorKind::Usage,
+                    "",
+                    "--strategy",
+                    {GLISSADE_TEXT("there is no planner '%1'"), {id}},
                     GLISSADE_TEXT("See 'glissade-cli plan --help' for the planners.")};
 }
 
@@ -92,8 +94,11 @@ Diagnostic unknownOperator(const std::string& name) {
   for (const DeviceEntry& entry : registry.entries()) {
     if (entry.simulated) known += ", " + entry.id;
   }
-  return {ErrorKind::Usage, "", "--operator", "there is no operator '" + name + "'",
-          "Choose one of " + known + " or replay:FILE."};
+  return {ErrorKind::Usage,
+          "",
+          "--operator",
+          {GLISSADE_TEXT("there is no operator '%1'"), {name}},
+          {GLISSADE_TEXT("Choose one of %1 or replay:FILE."), {known}}};
 }
 
 /// Sets up the session of a run from the scenario, the options and (for replay) a run record. The options override the
@@ -141,14 +146,14 @@ SnapshotPtr planInLockstep(LockstepSession& session, const Interrupt& interrupt)
 
 /// Warns of edits without effect. It builds its own environment model, because the planner's counts must not depend on
 /// these checks.
-void checkEdits(const LoadedScenario& loaded, const StopToken& stop) {
+void checkEdits(const LoadedScenario& loaded, const Console& console, const StopToken& stop) {
   if (loaded.scenario.places.empty() && loaded.scenario.milestones.empty()) return;
   const auto knowledge = buildSceneKnowledge(loaded.problem, loaded.parameters[ParameterId::RequiredClearance], stop);
   if (!knowledge) return;
-  warnOfEdits(loaded, **knowledge);
+  warnOfEdits(loaded, **knowledge, console);
   const auto places = forbiddenPlacesOf((*knowledge)->environment->map, semanticEditsOf(loaded.scenario));
   if (!places) return;  // the run reports the reason
-  if (const auto warning = regionsWarning(loaded.scenario, *places, loaded.file)) reportWarnings({*warning});
+  if (const auto warning = regionsWarning(loaded.scenario, *places, loaded.file)) reportWarnings({*warning}, console);
 }
 
 /// Warns of milestones and preferences that the strategy does not use: only strategies that plan coarsely use them.
@@ -158,14 +163,15 @@ void warnOfUnused(const PlanOptions& options, const LoadedScenario& loaded) {
   const auto prefers = [](const PlaceEdit& edit) { return edit.attributes.count("preference") > 0; };
   const auto& places = loaded.scenario.places;
   Warnings unused;
-  const auto warn = [&](const char* location, const char* what) {
-    unused.push_back({ErrorKind::Usage, loaded.file, location,
-                      std::string(what) + " not used by strategy '" + strategy + "'",
+  const auto warn = [&](const char* location, CatalogueText reason) {
+    unused.push_back({ErrorKind::Usage, loaded.file, location, Message(reason, {strategy}),
                       GLISSADE_TEXT("Choose gts to plan with them.")});
   };
-  if (!loaded.scenario.milestones.empty()) warn("/milestones", "are");
-  if (std::any_of(places.begin(), places.end(), prefers)) warn("/places", "have preferences, which are");
-  reportWarnings(unused);
+  if (!loaded.scenario.milestones.empty()) warn("/milestones", GLISSADE_TEXT("are not used by strategy '%1'"));
+  if (std::any_of(places.begin(), places.end(), prefers)) {
+    warn("/places", GLISSADE_TEXT("have preferences, which are not used by strategy '%1'"));
+  }
+  reportWarnings(unused, options.console);
 }
 
 /// Checks the output format before the search starts.
@@ -182,16 +188,16 @@ int runPlan(const PlanOptions& options) {
   const Interrupt interrupt;
   auto loaded = loadScenario(options.scenario, options.fits, interrupt.token());
   if (!loaded) return reportError(loaded.error(), options.console);
-  reportWarnings(loaded->warnings);
-  reportWarnings(loaded->fits.warnings);
+  reportWarnings(loaded->warnings, options.console);
+  reportWarnings(loaded->fits.warnings, options.console);
   if (options.collision != loaded->problem.world->backend()) {
     loaded->problem.world = loaded->problem.world->withBackend(options.collision);
   }
-  checkEdits(*loaded, interrupt.token());
+  checkEdits(*loaded, options.console, interrupt.token());
   warnOfUnused(options, *loaded);
   const auto session = setUpRun(options, *loaded, interrupt.token());
   if (!session) return reportError(session.error(), options.console);
-  if (!options.console.json) std::cout << "seed " << (*session)->snapshot()->seed << "\n";
+  if (!options.console.json) options.console.print({GLISSADE_TEXT("seed %1"), {(*session)->snapshot()->seed}});
   const SnapshotPtr end = planInLockstep(**session, interrupt);
   return deliver(options, *loaded, *end, interrupt.token());
 }

@@ -2,7 +2,6 @@
 
 #include <glissade/version.h>
 
-#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/interrupt.h"
@@ -72,20 +71,23 @@ Json toJson(const Replayed& replayed, const std::optional<RunDifference>& differ
   return report;
 }
 
-void printText(const Replayed& replayed, const std::optional<RunDifference>& difference) {
+void printText(const Replayed& replayed, const std::optional<RunDifference>& difference, const Console& console) {
   if (!difference) {
     const RunCheckpoint end = replayed.recorded.end.value_or(RunCheckpoint{});
-    std::cout << "same roadmap as recorded: " << end.nodes << " nodes\n";
-    if (replayed.record.version == 1) std::cout << "(a record of version 1: only the nodes were counted)\n";
-    if (replayed.recorded.cutShort) std::cout << "(the recording was full there; the run went on)\n";
+    console.print({GLISSADE_TEXT("same roadmap as recorded: %1 nodes"), {end.nodes}});
+    if (replayed.record.version == 1) {
+      console.print(GLISSADE_TEXT("(a record of version 1: only the nodes were counted)"));
+    }
+    if (replayed.recorded.cutShort) console.print(GLISSADE_TEXT("(the recording was full there; the run went on)"));
     return;
   }
-  std::cout << "different: the same until step " << difference->same << ", not at step " << difference->recorded.step
-            << " (recorded " << difference->recorded.nodes << " nodes, replayed " << difference->replayed.nodes
-            << " at step " << difference->replayed.step << ")\n";
+  console.print({GLISSADE_TEXT("different: the same until step %1, not at step %2 (recorded %3 nodes, replayed %4 at "
+                               "step %5)"),
+                 {difference->same, difference->recorded.step, difference->recorded.nodes, difference->replayed.nodes,
+                  difference->replayed.step}});
   if (!replayed.record.build.empty() && replayed.record.build != kBuild) {
-    std::cout << "recorded by " << replayed.record.program << ", " << replayed.record.build << "; replayed by Glissade "
-              << kVersion << ", " << kBuild << "\n";
+    console.print({GLISSADE_TEXT("recorded by %1, %2; replayed by Glissade %3, %4"),
+                   {replayed.record.program, replayed.record.build, kVersion, kBuild}});
   }
 }
 
@@ -95,14 +97,14 @@ int runReplay(const ReplayOptions& options) {
   const Interrupt interrupt;
   const auto replayed = replay(options, interrupt);
   if (!replayed) return reportError(replayed.error(), options.console);
-  if (const auto loss = lossWarning(replayed->record, options.record)) reportWarnings({*loss});
+  if (const auto loss = lossWarning(replayed->record, options.record)) reportWarnings({*loss}, options.console);
   // A run that failed before its first step has an empty log.
   const RunLog again = replayed->end->log.empty() ? RunLog() : joined(replayed->end->log);
   const auto difference = firstDifference(replayed->recorded, again);
   if (options.console.json) {
     printJson(toJson(*replayed, difference));
   } else {
-    printText(*replayed, difference);
+    printText(*replayed, difference, options.console);
   }
   return difference ? 1 : 0;
 }

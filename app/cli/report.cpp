@@ -151,12 +151,12 @@ void printEdges(const MotionCertificate& certificate, const CollisionWorld& worl
     Message clearance{GLISSADE_TEXT("clearance %1 to %2 mm"),
                       {millimetres(edge.provedClearance), millimetres(edge.minClearance)}};
     if (edge.nearest.body >= 0) {
-      clearance = {GLISSADE_TEXT("%1 to '%2' at %3"), {clearance, bodyName(world, edge.nearest.body), rounded(edge.at)}};
+      clearance = {GLISSADE_TEXT("%1 to '%2' at %3"),
+                   {clearance, bodyName(world, edge.nearest.body), rounded(edge.at)}};
     }
-    console.print(
-        {edge.demand.sliding ? GLISSADE_TEXT("  edge %1: %2, %3 (required %4 mm, sliding)")
-                             : GLISSADE_TEXT("  edge %1: %2, %3 (required %4 mm)"),
-         {i, inWords(edge.status), clearance, millimetres(edge.demand.clearance)}});
+    console.print({edge.demand.sliding ? GLISSADE_TEXT("  edge %1: %2, %3 (required %4 mm, sliding)")
+                                       : GLISSADE_TEXT("  edge %1: %2, %3 (required %4 mm)"),
+                   {i, inWords(edge.status), clearance, millimetres(edge.demand.clearance)}});
   }
 }
 

@@ -3,11 +3,11 @@
 #include <glissade/version.h>
 
 #include <cmath>
-#include <iostream>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "app/cli/difficulty_report.h"
+#include "app/cli/text_cells.h"
 #include "engine/base/file.h"
 #include "engine/collision/thread_rule.h"
 #include "engine/planning/automatic/straight_ways_out.h"
@@ -22,27 +22,28 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string status(const SessionSnapshot& end) {
-  if (end.state == SessionState::Solved) return "solved";
-  if (end.state == SessionState::Stopped) return "interrupted";
+CatalogueText status(const SessionSnapshot& end) {
+  if (end.state == SessionState::Solved) return GLISSADE_TEXT("solved");
+  if (end.state == SessionState::Stopped) return GLISSADE_TEXT("interrupted");
   switch (end.problem ? end.problem->kind : ErrorKind::Internal) {
-    case ErrorKind::LimitReached: return "limit-reached";
-    case ErrorKind::NoPath: return end.counts.rejectedPaths > 0 ? "not-certified" : "no-path";
-    case ErrorKind::InCollision: return "in-collision";
+    case ErrorKind::LimitReached: return GLISSADE_TEXT("limit-reached");
+    case ErrorKind::NoPath:
+      return end.counts.rejectedPaths > 0 ? GLISSADE_TEXT("not-certified") : GLISSADE_TEXT("no-path");
+    case ErrorKind::InCollision: return GLISSADE_TEXT("in-collision");
     case ErrorKind::Usage:
-    case ErrorKind::MalformedInput: return "malformed";
-    default: return "error";
+    case ErrorKind::MalformedInput: return GLISSADE_TEXT("malformed");
+    default: return GLISSADE_TEXT("error");
   }
 }
 
-const char* name(StepResult result) {
+CatalogueText name(StepResult result) {
   switch (result) {
-    case StepResult::Pending: return "pending";
-    case StepResult::Running: return "running";
-    case StepResult::Solved: return "solved";
-    case StepResult::Failed: return "failed";
+    case StepResult::Pending: return GLISSADE_TEXT("pending");
+    case StepResult::Running: return GLISSADE_TEXT("running");
+    case StepResult::Solved: return GLISSADE_TEXT("solved");
+    case StepResult::Failed: break;
   }
-  return "";
+  return GLISSADE_TEXT("failed");
 }
 
 Json toJson(const CoarsePlan& plan) {
@@ -54,7 +55,7 @@ Json toJson(const CoarsePlan& plan) {
                      {"geometrical", step.geometrical},
                      {"why", toString(step.why)},
                      {"random_configurations", step.randomConfigurations},
-                     {"result", name(step.result)}});
+                     {"result", name(step.result).english}});
   }
   return {{"attempt", plan.attempt},
           {"cost", plan.cost},
@@ -99,23 +100,21 @@ Json toJson(const HandReport& hand, bool found) {
 }
 
 /// Prints how the configurations that the hand showed were used.
-void printHand(const HandReport& hand, bool found) {
-  std::cout << "your hand showed " << hand.shown << " configurations; " << hand.collided << " were in collision, "
-            << hand.movedToContact << " of these were moved to contact\n";
+void printHand(const HandReport& hand, bool found, const Console& console) {
+  console.print({GLISSADE_TEXT("your hand showed %1 configurations; %2 were in collision, %3 of these were moved to "
+                               "contact"),
+                 {hand.shown, hand.collided, hand.movedToContact}});
   if (!found) return;
-  if (hand.joined) {
-    std::cout << "your way joined start and goal\n";
-  } else {
-    std::cout << "the computer joined start and goal\n";
-  }
-  std::cout << "the path follows your way for " << percent(hand.followed) << " of its length\n";
+  console.print(hand.joined ? GLISSADE_TEXT("your way joined start and goal")
+                            : GLISSADE_TEXT("the computer joined start and goal"));
+  console.print({GLISSADE_TEXT("the path follows your way for %1 of its length"), {percent(hand.followed)}});
 }
 
 Json toJson(const SessionSnapshot& end, const CollisionWorld& world, bool edges) {
   const PlannerCounts& counts = end.counts;
   Json report;
   report["solved"] = end.state == SessionState::Solved;
-  report["status"] = status(end);
+  report["status"] = status(end).english;
   report["strategy"] = end.plannerId;
   if (!end.member.empty()) report["member"] = end.member;
   report["wall_s"] = end.planningSeconds;
@@ -161,31 +160,33 @@ Json toJson(const SessionSnapshot& end, const CollisionWorld& world, bool edges)
   return report;
 }
 
-void printText(const SessionSnapshot& end, const CollisionWorld& world) {
-  const PlannerCounts& counts = end.counts;
-  std::cout << status(end) << " by " << end.plannerId << (end.member.empty() ? "" : " (" + end.member + ")")
-            << " after " << counts.steps << " steps (" << end.virtualSeconds << " s virtual, " << end.planningSeconds
-            << " s of planning)\n"
-            << "nodes " << counts.nodes << ", edges " << counts.edges << ", configurations: random "
-            << counts.randomConfigurations << ", operator " << counts.operatorConfigurations << ", contact "
-            << counts.contactConfigurations << "\n"
-            << "nodes by the computer " << end.nodesByAuthor[0] << ", the operator " << end.nodesByAuthor[1]
-            << ", contact " << end.nodesByAuthor[2] << "\n";
-  if (end.coarsePlan) {
-    std::cout << "coarse path " << end.coarsePlan->attempt << ":\n";
-    for (const TopologicalStep& step : end.coarsePlan->steps) {
-      std::cout << "  " << step.placeName << " to " << step.borderName << ": " << name(step.result) << ", "
-                << step.randomConfigurations << " random configurations (" << toString(step.why) << ")\n";
-    }
+void printCoarsePlan(const CoarsePlan& plan, const Console& console) {
+  console.print({GLISSADE_TEXT("coarse path %1:"), {plan.attempt}});
+  for (const TopologicalStep& step : plan.steps) {
+    console.print({GLISSADE_TEXT("  %1 to %2: %3, %4 random configurations (%5)"),
+                   {step.placeName, step.borderName, name(step.result), step.randomConfigurations, step.why}});
   }
-  if (end.hand) printHand(*end.hand, end.path != nullptr);
+}
+
+void printText(const SessionSnapshot& end, const CollisionWorld& world, const Console& console) {
+  const PlannerCounts& counts = end.counts;
+  console.print({GLISSADE_TEXT("%1 by %2 after %3 steps (%4 s virtual, %5 s of planning)"),
+                 {status(end), end.plannerId + (end.member.empty() ? "" : " (" + end.member + ")"), counts.steps,
+                  rounded(end.virtualSeconds), rounded(end.planningSeconds)}});
+  console.print({GLISSADE_TEXT("nodes %1, edges %2, configurations: random %3, operator %4, contact %5"),
+                 {counts.nodes, counts.edges, counts.randomConfigurations, counts.operatorConfigurations,
+                  counts.contactConfigurations}});
+  console.print({GLISSADE_TEXT("nodes by the computer %1, the operator %2, contact %3"),
+                 {end.nodesByAuthor[0], end.nodesByAuthor[1], end.nodesByAuthor[2]}});
+  if (end.coarsePlan) printCoarsePlan(*end.coarsePlan, console);
+  if (end.hand) printHand(*end.hand, end.path != nullptr, console);
   if (!end.path) return;
-  std::cout << "path of " << end.path->points.size() << " configurations, " << end.path->length() << " m, "
-            << end.path->rotation() << " rad\n"
-            << inWords(end.path->certificate, world) << "\n";
+  console.print({GLISSADE_TEXT("path of %1 configurations, %2 m, %3 rad"),
+                 {end.path->points.size(), rounded(end.path->length()), rounded(end.path->rotation())}});
+  console.print(inWords(end.path->certificate, world));
   const PerAuthor<double> shares = pathShares(*end.path, world);
-  std::cout << "of its length by the computer " << percent(shares[0]) << ", the operator " << percent(shares[1])
-            << ", contact " << percent(shares[2]) << "\n";
+  console.print({GLISSADE_TEXT("of its length by the computer %1, the operator %2, contact %3"),
+                 {percent(shares[0]), percent(shares[1]), percent(shares[2])}});
 }
 
 int exitCodeOf(const SessionSnapshot& end) {
@@ -222,15 +223,11 @@ Json idsOf(const std::vector<const RigidBody*>& bodies) {
   return ids;
 }
 
-void printBlocking(const std::vector<const RigidBody*>& bodies) {
+void printBlocking(const std::vector<const RigidBody*>& bodies, const Console& console) {
   if (bodies.empty()) return;
-  std::cout << "held at its start by";
-  const char* separator = " '";
-  for (const RigidBody* body : bodies) {
-    std::cout << separator << body->name << "'";
-    separator = ", '";
-  }
-  std::cout << "\n";
+  std::vector<Message> names;
+  for (const RigidBody* body : bodies) names.push_back({GLISSADE_TEXT("'%1'"), {body->name}});
+  console.print({GLISSADE_TEXT("held at its start by %1"), {glissade::joined(names, ", ")}});
 }
 
 SaveResult writeRecord(const PlanOptions& options, const LoadedScenario& scenario, const SessionSnapshot& end) {
@@ -244,12 +241,12 @@ std::optional<Diagnostic> writeFiles(const PlanOptions& options, const LoadedSce
                                      const SessionSnapshot& end) {
   if (end.path && !options.out.empty()) {
     const SaveResult saved = writePath(*end.path, scenario, {end.plannerId, end.seed}, options.out);
-    reportWarnings(saved.warnings);
+    reportWarnings(saved.warnings, options.console);
     if (!saved) return saved.why;
   }
   if (!options.record.empty()) {
     const SaveResult saved = writeRecord(options, scenario, end);
-    reportWarnings(saved.warnings);
+    reportWarnings(saved.warnings, options.console);
     if (!saved) return saved.why;
   }
   return std::nullopt;
@@ -275,15 +272,17 @@ int deliver(const PlanOptions& options, const LoadedScenario& scenario, const Se
     if (difficulty) report["difficulty"] = toJson(*difficulty, world);
     printJson(report);
   } else {
-    printText(end, world);
-    if (end.path) std::cout << deviationInWords(scenario, end.path->points);
-    if (end.path && options.edges) printEdges(end.path->certificate, world);
-    printBlocking(blockedBy);
-    if (difficulty) printDifficulty(*difficulty, world);
+    printText(end, world, options.console);
+    if (end.path) {
+      for (const Message& line : uncertaintiesInWords(scenario, end.path->points)) options.console.print(line);
+    }
+    if (end.path && options.edges) printEdges(end.path->certificate, world, options.console);
+    printBlocking(blockedBy, options.console);
+    if (difficulty) printDifficulty(*difficulty, world, options.console);
   }
-  if (end.problem) std::cerr << "glissade-cli: " << toString(*end.problem) << "\n";
+  if (end.problem) noteError(*end.problem, options.console);
   if (notWritten) {
-    std::cerr << "glissade-cli: " << toString(*notWritten) << "\n";
+    noteError(*notWritten, options.console);
     return exitCode(notWritten->kind);
   }
   return exitCodeOf(end);

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <iomanip>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "app/cli/interrupt.h"
+#include "app/cli/text_cells.h"
 #include "engine/base/number_text.h"
 #include "engine/base/quantity_text.h"
 #include "engine/check/plain_overlaps.h"
@@ -32,34 +32,42 @@ using Clock = std::chrono::steady_clock;
 
 double secondsSince(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-/// Begins a line on standard error about the progress of a run that began at this time.
-std::ostream& progressLine(Clock::time_point begin) {
-  return std::cerr << "glissade-cli: " << std::fixed << std::setprecision(1) << secondsSince(begin)
-                   << " s: " << std::defaultfloat;
-}
+/// Writes lines on standard error about the progress of a run that began at this time.
+class ProgressNotes {
+ public:
+  ProgressNotes(Clock::time_point begin, const Console& console) : begin_(begin), console_(console) {}
+
+  void note(const Message& line) const {
+    console_.note({GLISSADE_TEXT("%1 s: %2"), {fixedDigits(secondsSince(begin_), 1), line}});
+  }
+
+ private:
+  Clock::time_point begin_;
+  Console console_;
+};
 
 /// Writes every few seconds the share of the compared pairs of bodies.
 class FitProgress {
  public:
-  explicit FitProgress(Clock::time_point begin) : begin_(begin), shown_(Clock::now()) {}
+  explicit FitProgress(const ProgressNotes& notes) : notes_(notes), shown_(Clock::now()) {}
 
   void show(double share) {
     constexpr double kEvery = 5.0;
     if (secondsSince(shown_) < kEvery) return;
     shown_ = Clock::now();
-    progressLine(begin_) << "comparing pairs of bodies, " << std::lround(100.0 * share) << " %\n";
+    notes_.note({GLISSADE_TEXT("comparing pairs of bodies, %1 %"), {std::lround(100.0 * share)}});
   }
 
  private:
-  Clock::time_point begin_;
+  ProgressNotes notes_;
   Clock::time_point shown_;
 };
 
 /// Prints a line on standard error for each step that is found and for each search.
 class ProgressHost final : public SequenceHost {
  public:
-  ProgressHost(StopToken stop, ThreadTeam& team, const AssembledProduct& product, Clock::time_point begin)
-      : stop_(std::move(stop)), team_(team), product_(product), begin_(begin) {}
+  ProgressHost(StopToken stop, ThreadTeam& team, const AssembledProduct& product, const ProgressNotes& notes)
+      : stop_(std::move(stop)), team_(team), product_(product), notes_(notes) {}
 
   const StopToken& stopToken() const override { return stop_; }
   ThreadTeam& team() override { return team_; }
@@ -70,19 +78,21 @@ class ProgressHost final : public SequenceHost {
     every_ = options.saveEvery;
     productName_ = options.file;
     deflection_ = deflection;
+    console_ = options.console;
   }
   const AssembledProduct& product() const { return product_; }
 
   void asking(std::size_t bodies, int effort) override {
     keep();
-    if (effort > 0) progressLine(begin_) << "searching motions of " << bodies << " parts, effort " << effort << "\n";
+    if (effort > 0) notes_.note({GLISSADE_TEXT("searching motions of %1 parts, effort %2"), {bodies, effort}});
   }
 
   void stepFound(const AssemblyPlan& plan) override {
     for (; reported_ < plan.steps.size(); ++reported_) {
       const AssemblyStep& step = plan.steps[reported_];
-      progressLine(begin_) << plan.removed() << " of " << plan.parts() << " parts: " << namesOf(step)
-                           << (step.with.empty() ? " leaves (" : " leave as one (") << step.method << ")\n";
+      notes_.note({step.with.empty() ? GLISSADE_TEXT("%1 of %2 parts: %3 leaves (%4)")
+                                     : GLISSADE_TEXT("%1 of %2 parts: %3 leave as one (%4)"),
+                   {plan.removed(), plan.parts(), namesOf(step), methodInWords(step.method)}});
     }
     if (file_.empty()) return;
     unkept_ = plan;
@@ -104,7 +114,8 @@ class ProgressHost final : public SequenceHost {
     if (!unkept_ || secondsSince(kept_) < std::max(every_, kWriting * writing_)) return;
     unkept_->deflection = deflection_;
     kept_ = Clock::now();
-    if (const Outcome saved = savePlan(*unkept_, productName_, file_); !saved) reportWarnings({saved.error()});
+    if (const Outcome saved = savePlan(*unkept_, productName_, file_); !saved)
+      reportWarnings({saved.error()}, console_);
     writing_ = secondsSince(kept_);
     unkept_.reset();
   }
@@ -112,9 +123,10 @@ class ProgressHost final : public SequenceHost {
   StopToken stop_;
   ThreadTeam& team_;
   const AssembledProduct& product_;
-  Clock::time_point begin_;
+  ProgressNotes notes_;
   std::size_t reported_ = 0;
   std::string file_;  ///< empty: no plan is written during the search
+  Console console_;   ///< for warnings of the writing
   std::string productName_;
   double deflection_ = 0.0;
   std::optional<AssemblyPlan> unkept_;
@@ -150,7 +162,10 @@ Outcome addStepDemands(const SequenceOptions& options, SequenceDemands& demands)
     auto words = listed(text);
     const auto place = words.size() < 2 ? std::nullopt : toNumber(words[0]);
     if (!place || *place < 1.0 || *place > kMostPlaces || *place != std::floor(*place)) {
-      return Diagnostic{ErrorKind::Usage, "", "--place", "is not a number from 1, a comma and a name: " + text,
+      return Diagnostic{ErrorKind::Usage,
+                        "",
+                        "--place",
+                        {GLISSADE_TEXT("is not a number from 1, a comma and a name: %1"), {text}},
                         GLISSADE_TEXT("Give 3,name.")};
     }
     demands.places.push_back({{words.begin() + 1, words.end()}, static_cast<std::size_t>(*place)});
@@ -159,7 +174,10 @@ Outcome addStepDemands(const SequenceOptions& options, SequenceDemands& demands)
     const auto words = listed(text);
     const auto direction = words.size() < 2 ? std::nullopt : directionIn({words.begin() + 1, words.end()});
     if (!direction) {
-      return Diagnostic{ErrorKind::Usage, "", "--forbid", "is not a name, a comma and a direction: " + text,
+      return Diagnostic{ErrorKind::Usage,
+                        "",
+                        "--forbid",
+                        {GLISSADE_TEXT("is not a name, a comma and a direction: %1"), {text}},
                         GLISSADE_TEXT("Give name,-z or name,0,0,-1.")};
     }
     demands.forbidden.push_back({words[0], *direction});
@@ -173,7 +191,10 @@ Result<SequenceDemands> demandsOf(const SequenceOptions& options, SequenceDemand
   for (const std::string& text : options.before) {
     const auto pair = listed(text);
     if (pair.size() != 2) {
-      return Diagnostic{ErrorKind::Usage, "", "--before", "is not two names with a comma between them: " + text,
+      return Diagnostic{ErrorKind::Usage,
+                        "",
+                        "--before",
+                        {GLISSADE_TEXT("is not two names with a comma between them: %1"), {text}},
                         GLISSADE_TEXT("Give first,then.")};
     }
     demands.before.emplace_back(pair[0], pair[1]);
@@ -192,7 +213,10 @@ Result<SequenceDemands> demandsOf(const SequenceOptions& options, SequenceDemand
   if (!options.joints.empty()) {
     const auto use = jointUseByName(options.joints);
     if (!use) {
-      return Diagnostic{ErrorKind::Usage, "", "--joints", "is unknown: " + options.joints,
+      return Diagnostic{ErrorKind::Usage,
+                        "",
+                        "--joints",
+                        {GLISSADE_TEXT("is unknown: %1"), {options.joints}},
                         GLISSADE_TEXT("Choose recognised, suggested or off.")};
     }
     demands.jointUse = *use;
@@ -243,69 +267,103 @@ Diagnostic ofOptions(Diagnostic why, const SequenceOptions& options) {
   return why;
 }
 
-/// ", every motion certified", with the number of flexible parts without a proof; empty if no part leaves.
-std::string certifiedText(const AssemblyPlan& plan) {
-  if (plan.removed() == 0) return "";
-  const std::size_t open = plan.removedWithoutProof();
-  if (open == 0) return ", every motion certified";
-  return ", every motion certified but those of " + std::to_string(open) + " flexible parts";
+/// Prints the texts about a plan in a language.
+class PlanPrinter {
+ public:
+  PlanPrinter(const ProgressHost& host, const Console& console)
+      : host_(host), console_(console), words_(console.language, inMillimetres) {}
+
+  void print(const AssemblyPlan& plan, double seconds) const;
+
+ private:
+  void printSteps(const std::vector<AssemblyStep>& steps, const std::string& group, const std::string& before) const;
+  void printNotes(const AssemblyStep& step, const std::string& before) const;
+  void printStuck(const std::vector<StuckBody>& all, const std::string& before) const;
+  void printLines(const std::vector<SubassemblyLine>& lines, std::size_t steps, const std::string& group,
+                  const std::string& before) const;
+  Message motionOf(const AssemblyStep& step) const;
+  std::string namesOf(const std::vector<std::string>& ids, const char* separator) const;
+  void printIndented(const std::string& before, const Message& line) const;
+
+  const ProgressHost& host_;
+  const Console& console_;
+  PlanWords words_;
+};
+
+void PlanPrinter::printIndented(const std::string& before, const Message& line) const {
+  std::cout << before;
+  console_.print(line);
+}
+
+std::string PlanPrinter::namesOf(const std::vector<std::string>& ids, const char* separator) const {
+  std::string names;
+  for (const std::string& id : ids) names += (names.empty() ? "" : separator) + host_.nameOf(id);
+  return names;
+}
+
+/// "straight, clearance 0.5 mm to 'plate'"
+Message PlanPrinter::motionOf(const AssemblyStep& step) const {
+  Message motion = methodInWords(step.method);
+  if (!step.certified) motion = {GLISSADE_TEXT("%1, not certified"), {motion}};
+  if (step.proof.nearest.empty()) return motion;
+  return {GLISSADE_TEXT("%1, clearance %2 to '%3'"),
+          {motion, Length{step.proof.minClearance}, host_.nameOf(step.proof.nearest)}};
 }
 
 /// Prints the steps with the numbers of the order of assembly, as in documents. `group`: number of the step that adds
 /// the group of these steps.
-void printSteps(const std::vector<AssemblyStep>& steps, const std::string& group, const std::string& before,
-                const ProgressHost& host) {
-  const PlanWords words(Language::English, inMillimetres);
+void PlanPrinter::printSteps(const std::vector<AssemblyStep>& steps, const std::string& group,
+                             const std::string& before) const {
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const AssemblyStep& step = steps[i];
-    std::cout << before << std::setw(4) << stepNumber(steps.size() - 1 - i, group) << "  " << host.namesOf(step);
-    if (step.fastener != FastenerKind::None) std::cout << " (" << fastenerName(step.fastener) << ")";
-    std::cout << ": " << step.method;
-    if (!step.certified) std::cout << ", not certified";
-    if (!step.proof.nearest.empty()) {
-      std::cout << ", clearance " << inMillimetres(step.proof.minClearance) << " to '"
-                << host.nameOf(step.proof.nearest) << "'";
+    std::string names = toRight(stepNumber(steps.size() - 1 - i, group), 4) + "  " + host_.namesOf(step);
+    if (step.fastener != FastenerKind::None) {
+      names += " (" + console_.text(CatalogueText{fastenerName(step.fastener)}) + ")";
     }
-    std::cout << "\n";
-    for (const std::string& text : words.joints(step, host.product(), PlanOrder::Removal)) {
-      std::cout << before << "      " << text << "\n";
-    }
-    if (step.tool.kind != ToolKind::None) {
-      std::cout << before << "      tool: " << words.tool(step, host.product()) << "\n";
-    }
-    for (const std::string& text : words.violations(step, host.product())) {
-      std::cout << before << "      forced, although: " << text << "\n";
-    }
-    for (const std::string& id : step.falling) std::cout << before << "      to be held: " << host.nameOf(id) << "\n";
-    for (const StepAllowance& allowance : step.allowances) {
-      std::cout << before << "      allowance: " << toString(allowance.text) << "\n";
-    }
+    printIndented(before, {GLISSADE_TEXT("%1: %2"), {names, motionOf(step)}});
+    printNotes(step, before + "      ");
   }
 }
 
-void printStuck(const std::vector<StuckBody>& all, const std::string& before, const ProgressHost& host) {
+/// Prints what is to be said of a step beside its motion.
+void PlanPrinter::printNotes(const AssemblyStep& step, const std::string& before) const {
+  const AssembledProduct& product = host_.product();
+  for (const std::string& text : words_.joints(step, product, PlanOrder::Removal)) std::cout << before << text << "\n";
+  if (step.tool.kind != ToolKind::None) {
+    printIndented(before, {GLISSADE_TEXT("tool: %1"), {words_.tool(step, product)}});
+  }
+  for (const std::string& text : words_.violations(step, product)) {
+    printIndented(before, {GLISSADE_TEXT("forced, although: %1"), {text}});
+  }
+  for (const std::string& id : step.falling) {
+    printIndented(before, {GLISSADE_TEXT("to be held: %1"), {host_.nameOf(id)}});
+  }
+  for (const StepAllowance& allowance : step.allowances) {
+    printIndented(before, {GLISSADE_TEXT("allowance: %1"), {allowance.text}});
+  }
+}
+
+void PlanPrinter::printStuck(const std::vector<StuckBody>& all, const std::string& before) const {
   for (const StuckBody& stuck : all) {
-    std::cout << before << "stuck: " << host.nameOf(stuck.body);
-    const char* separator = ", blocked by ";
-    for (const std::string& other : stuck.blockedBy) {
-      std::cout << separator << host.nameOf(other);
-      separator = ", ";
+    Message line{GLISSADE_TEXT("stuck: %1"), {host_.nameOf(stuck.body)}};
+    if (!stuck.blockedBy.empty()) {
+      line = {GLISSADE_TEXT("%1, blocked by %2"), {line, namesOf(stuck.blockedBy, ", ")}};
     }
-    std::cout << (stuck.reason.empty() ? "" : ": ") << toString(stuck.reason) << "\n";
+    if (!stuck.reason.empty()) line = {GLISSADE_TEXT("%1: %2"), {line, stuck.reason}};
+    printIndented(before, line);
   }
 }
 
-/// Prints the lines of groups. `before` indents them: "      " at first, more for groups in groups.
-void printLines(const std::vector<SubassemblyLine>& lines, std::size_t steps, const std::string& group,
-                const std::string& before, const ProgressHost& host) {
+/// Prints the lines of groups. `before` indents them: "  " at first, more for groups in groups.
+void PlanPrinter::printLines(const std::vector<SubassemblyLine>& lines, std::size_t steps, const std::string& group,
+                             const std::string& before) const {
   for (const SubassemblyLine& line : lines) {
     const std::string number = stepNumber(steps - line.step, group);
-    std::cout << before << "the group of step " << number << " is taken apart off";
-    for (const std::string& id : line.staying) std::cout << " " << host.nameOf(id);
-    std::cout << ":\n";
-    printSteps(line.steps, number, before, host);
-    printStuck(line.stuck, before, host);
-    printLines(line.lines, line.steps.size(), number, before + "  ", host);
+    printIndented(before,
+                  {GLISSADE_TEXT("the group of step %1 is taken apart off %2:"), {number, namesOf(line.staying, " ")}});
+    printSteps(line.steps, number, before);
+    printStuck(line.stuck, before);
+    printLines(line.lines, line.steps.size(), number, before + "  ");
   }
 }
 
@@ -321,22 +379,30 @@ std::size_t screwHoles(const std::vector<AssemblyStep>& steps, const std::vector
   return holes;
 }
 
-void printPlan(const AssemblyPlan& plan, const ProgressHost& host, double seconds) {
-  if (!plan.staying.empty()) {
-    const PlanWords words(Language::English, inMillimetres);
-    std::cout << "base: " << words.base(plan, host.product()) << "\n";
-  }
-  printSteps(plan.steps, "", "", host);
-  printLines(plan.lines, plan.steps.size(), "", "  ", host);
-  printStuck(plan.stuck, "", host);
+/// "12 of 13 parts leave in 10 steps, every motion certified", with the number of flexible parts without a proof.
+Message stepsInWords(const AssemblyPlan& plan) {
+  const Message steps{GLISSADE_TEXT("%1 of %2 parts leave in %3 steps"),
+                      {plan.removed(), plan.parts(), plan.steps.size()}};
+  if (plan.removed() == 0) return steps;
+  const std::size_t open = plan.removedWithoutProof();
+  if (open == 0) return {GLISSADE_TEXT("%1, every motion certified"), {steps}};
+  return {GLISSADE_TEXT("%1, every motion certified but those of %2 flexible parts"), {steps, open}};
+}
+
+void PlanPrinter::print(const AssemblyPlan& plan, double seconds) const {
+  if (!plan.staying.empty()) console_.print({GLISSADE_TEXT("base: %1"), {words_.base(plan, host_.product())}});
+  printSteps(plan.steps, "", "");
+  printLines(plan.lines, plan.steps.size(), "", "  ");
+  printStuck(plan.stuck, "");
   const std::size_t apart = bodiesApart(plan);
   if (apart < plan.removed()) {
-    std::cout << plan.removed() - apart << " of the parts that leave do so in groups that are not taken apart\n";
+    console_.print({GLISSADE_TEXT("%1 of the parts that leave do so in groups that are not taken apart"),
+                    {plan.removed() - apart}});
   }
-  std::cout << plan.removed() << " of " << plan.parts() << " parts leave in " << plan.steps.size() << " steps"
-            << certifiedText(plan) << ", computed in " << seconds << " s\n";
+  console_.print({GLISSADE_TEXT("%1, computed in %2 s"), {stepsInWords(plan), rounded(seconds)}});
   if (const std::size_t holes = screwHoles(plan.steps, plan.lines); holes > 0) {
-    std::cout << "screws in bodies without a hole in the file, each of which makes its own: " << holes << "\n";
+    console_.print(
+        {GLISSADE_TEXT("screws in bodies without a hole in the file, each of which makes its own: %1"), {holes}});
   }
 }
 
@@ -354,7 +420,10 @@ int exitCodeOf(const AssemblyPlan& plan) {
 
 Outcome checkOptions(const SequenceOptions& options) {
   if (!options.strategy.empty() && makeSequenceStrategyRegistry().find(options.strategy) == nullptr) {
-    return Diagnostic{ErrorKind::Usage, "", "--strategy", "is unknown: " + options.strategy,
+    return Diagnostic{ErrorKind::Usage,
+                      "",
+                      "--strategy",
+                      {GLISSADE_TEXT("is unknown: %1"), {options.strategy}},
                       GLISSADE_TEXT("Choose greedy or best-first.")};
   }
   if (!(options.timeLimit >= 0.0)) {
@@ -390,7 +459,7 @@ AssemblyPlan planWithout(const AssembledProduct& product, const SequenceRequest&
 /// Writes and prints the plan, and returns the exit code.
 int deliver(const AssemblyPlan& plan, const ProductFile& loaded, const SequenceOptions& options,
             const ProgressHost& host, double seconds, std::size_t plainOverlaps) {
-  if (!loaded.product.fits.on && !plan.stuck.empty()) reportWarnings({fitsAreOff(options.file)});
+  if (!loaded.product.fits.on && !plan.stuck.empty()) reportWarnings({fitsAreOff(options.file)}, options.console);
   if (!options.out.empty()) {
     if (const Outcome saved = savePlan(plan, options.file, options.out); !saved) {
       return reportError(saved.error(), options.console);
@@ -404,9 +473,9 @@ int deliver(const AssemblyPlan& plan, const ProductFile& loaded, const SequenceO
     report["missing_shapes"] = missingShapesJson(loaded.missing);
     printJson(report);
   } else {
-    printPlan(plan, host, seconds);
-    if (!loaded.missing.empty()) std::cout << toString(statementOf(loaded.missing)) << "\n";
-    if (plainOverlaps > 0) std::cout << toString(check::plainOverlapsInWords(plainOverlaps)) << "\n";
+    PlanPrinter(host, options.console).print(plan, seconds);
+    if (!loaded.missing.empty()) options.console.print(statementOf(loaded.missing));
+    if (plainOverlaps > 0) options.console.print(check::plainOverlapsInWords(plainOverlaps));
   }
   return exitCodeOf(plan);
 }
@@ -453,13 +522,14 @@ int runSequence(const SequenceOptions& options) {
   const auto joints = jointsOf(*loaded, *demands, stop);
   if (!joints) return reportError(joints.error(), options.console);
   product.snaps = bendsOf(countingJoints(*joints, demands->jointUse), product);
-  FitProgress progress(begin);
+  const ProgressNotes notes(begin, options.console);
+  FitProgress progress(notes);
   const auto fits = ProductFits::find(product, team, {stop, [&](double share) { progress.show(share); }});
   const bool outOfTime = !fits && fits.error().kind == ErrorKind::Interrupted && !interrupt.requested();
   if (!fits && !outOfTime) return reportError(fits.error(), options.console);
-  reportWarnings(loaded->warnings);
-  if (loaded->forbidsPlaces) reportWarnings({placesHoldForPathsOnly(options.file)});
-  ProgressHost host(stop, team, product, begin);
+  reportWarnings(loaded->warnings, options.console);
+  if (loaded->forbidsPlaces) reportWarnings({placesHoldForPathsOnly(options.file)}, options.console);
+  ProgressHost host(stop, team, product, notes);
   if (earlier) host.skip(earlier->steps.size());
   const std::string usual = options.strategy.empty() ? kUsualStrategy : options.strategy;
   const std::string strategy = earlier ? earlier->strategy : usual;
@@ -467,10 +537,11 @@ int runSequence(const SequenceOptions& options) {
   request.joints = &*joints;
   if (outOfTime) {
     reportWarnings({{ErrorKind::LimitReached, options.file, "--time-limit",
-                     GLISSADE_TEXT("was reached while fits were searched"), GLISSADE_TEXT("Give more time.")}});
+                     GLISSADE_TEXT("was reached while fits were searched"), GLISSADE_TEXT("Give more time.")}},
+                   options.console);
   } else {
-    reportWarnings(fits->warnings());
-    reportWarnings(warningsOf(findAlternatives(product.bodies, stop), product.bodies));
+    reportWarnings(fits->warnings(), options.console);
+    reportWarnings(warningsOf(findAlternatives(product.bodies, stop), product.bodies), options.console);
     if (!options.out.empty()) host.keepIn(options, deflection);
   }
   auto planned = outOfTime ? planWithout(product, request) : planSequence(product, *fits, request, host);

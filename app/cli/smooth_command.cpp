@@ -1,9 +1,9 @@
 #include "app/cli/commands.h"
 
-#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/interrupt.h"
+#include "app/cli/text_cells.h"
 #include "engine/planning/coarse/prohibitions.h"
 #include "engine/planning/path_certificate.h"
 #include "engine/scenario/path_exporter.h"
@@ -27,7 +27,7 @@ int runSmooth(const SmoothOptions& options) {
   const Interrupt interrupt;
   const auto loaded = loadScenario(options.scenario);
   if (!loaded) return reportError(loaded.error(), options.console);
-  reportWarnings(loaded->warnings);
+  reportWarnings(loaded->warnings, options.console);
   auto points = readPath(options.input);
   if (!points) return reportError(points.error(), options.console);
   const auto kept = keepingOut(loaded->problem, interrupt.token());
@@ -40,7 +40,9 @@ int runSmooth(const SmoothOptions& options) {
   path.certificate = certifyPath(*problem.world->makeQuery(), path.points, loaded->parameters, interrupt.token());
   if (path.certificate.status != CertificateStatus::Certified) {
     return reportError(
-        {ErrorKind::NoPath, options.input, "edge " + std::to_string(path.certificate.edge),
+        {ErrorKind::NoPath,
+         options.input,
+         {GLISSADE_TEXT("edge %1"), {path.certificate.edge}},
          inWords(path.certificate, *problem.world),
          GLISSADE_TEXT("Only certified paths are smoothed. glissade-cli check says more about the path.")},
         options.console);
@@ -49,7 +51,7 @@ int runSmooth(const SmoothOptions& options) {
       withShortcuts(path, problem, loaded->parameters, options.seed, options.attempts, interrupt.token());
   const SaveResult saved = exporter->write(shorter, *loaded, {"smooth", options.seed}, options.output);
   if (!saved) return reportError(saved.why, options.console);
-  reportWarnings(saved.warnings);
+  reportWarnings(saved.warnings, options.console);
 
   const double before = metricLength(path, problem);
   const double after = metricLength(shorter, problem);
@@ -61,8 +63,9 @@ int runSmooth(const SmoothOptions& options) {
                                         {"certificate", toJson(shorter.certificate, *problem.world)}};
     printJson(report);
   } else {
-    std::cout << "from " << before << " m to " << after << " m in the metric, from " << path.points.size() << " to "
-              << shorter.points.size() << " configurations, " << inWords(shorter.certificate, *problem.world) << "\n";
+    options.console.print({GLISSADE_TEXT("from %1 m to %2 m in the metric, from %3 to %4 configurations, %5"),
+                           {rounded(before), rounded(after), path.points.size(), shorter.points.size(),
+                            inWords(shorter.certificate, *problem.world)}});
   }
   return 0;
 }

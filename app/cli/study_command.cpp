@@ -6,11 +6,10 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <iomanip>
 #include <iostream>
-#include <sstream>
 
 #include "app/cli/interrupt.h"
+#include "app/cli/text_cells.h"
 #include "engine/base/file.h"
 #include "engine/study/benchmarks/benchmark_page.h"
 #include "engine/study/study_report.h"
@@ -25,11 +24,12 @@ namespace {
 /// line now and then.
 class ProgressLine {
  public:
-  ProgressLine();
+  explicit ProgressLine(const Console& console);
   void show(const StudyProgress& progress);
   void end();
 
  private:
+  Console console_;
   bool terminal_;
   bool shown_ = false;
   std::chrono::steady_clock::time_point last_;
@@ -38,15 +38,9 @@ class ProgressLine {
 using Clock = std::chrono::steady_clock;
 
 std::string duration(double seconds) {
-  std::ostringstream text;
-  if (seconds < 90.0) {
-    text << std::lround(seconds) << " s";
-  } else if (seconds < 5400.0) {
-    text << std::lround(seconds / 60.0) << " min";
-  } else {
-    text << std::fixed << std::setprecision(1) << seconds / 3600.0 << " h";
-  }
-  return text.str();
+  if (seconds < 90.0) return std::to_string(std::lround(seconds)) + " s";
+  if (seconds < 5400.0) return std::to_string(std::lround(seconds / 60.0)) + " min";
+  return fixedDigits(seconds / 3600.0, 1) + " h";
 }
 
 const MeasureSummary& measureNamed(const CellSummary& summary, const std::string& name) {
@@ -55,19 +49,22 @@ const MeasureSummary& measureNamed(const CellSummary& summary, const std::string
 }
 
 std::string median(const Distribution& distribution, int digits) {
-  if (distribution.count == 0) return "-";
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(digits) << distribution.median;
-  return text.str();
+  return distribution.count == 0 ? "-" : fixedDigits(distribution.median, digits);
 }
 
-/// The number of UTF-8 characters: the bytes that begin one.
-std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+Message inWords(const StudyProgress& progress) {
+  Message text{GLISSADE_TEXT("%1 of %2 runs, %3 solved"), {progress.done, progress.planned, progress.solved}};
+  if (progress.broken > 0) {
+    text = {GLISSADE_TEXT("%1, %2 ended by time, memory or a fault"), {text, progress.broken}};
+  }
+  if (progress.done < progress.planned && progress.secondsLeft >= 0.0) {
+    text = {GLISSADE_TEXT("%1, about %2 left"), {text, duration(progress.secondsLeft)}};
+  }
+  return text;
 }
 
-ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0), last_(Clock::now()) {}
+ProgressLine::ProgressLine(const Console& console)
+    : console_(console), terminal_(isatty(STDERR_FILENO) != 0), last_(Clock::now()) {}
 
 void ProgressLine::show(const StudyProgress& progress) {
   const auto pause = terminal_ ? std::chrono::milliseconds(100) : std::chrono::milliseconds(10000);
@@ -75,11 +72,8 @@ void ProgressLine::show(const StudyProgress& progress) {
   if (shown_ && !last && Clock::now() - last_ < pause) return;
   shown_ = true;
   last_ = Clock::now();
-  std::cerr << (terminal_ ? "\r\033[K" : "") << progress.done << " of " << progress.planned << " runs, "
-            << progress.solved << " solved";
-  if (progress.broken > 0) std::cerr << ", " << progress.broken << " ended by time, memory or a fault";
-  if (!last && progress.secondsLeft >= 0.0) std::cerr << ", about " << duration(progress.secondsLeft) << " left";
-  std::cerr << (terminal_ ? "" : "\n") << std::flush;
+  std::cerr << (terminal_ ? "\r\033[K" : "") << console_.text(inWords(progress)) << (terminal_ ? "" : "\n")
+            << std::flush;
 }
 
 void ProgressLine::end() {
@@ -87,26 +81,30 @@ void ProgressLine::end() {
 }
 
 /// Prints a short table of a study's results on standard output.
-void printSummary(const StudyFolder& folder, Warnings& warnings) {
+void printSummary(const StudyFolder& folder, Warnings& warnings, const Console& console) {
   const Study& study = folder.plan().study;
   const auto summaries = summarise(study, folder.results(warnings));
   std::size_t widest = 5;
-  for (const StudyCell& cell : study.cells) widest = std::max(widest, width(cell.label));
-  std::cout << study.heading.title << (study.quick ? " (quick)" : "") << "\nmedians of the solved runs\n\n"
-            << std::string(widest, ' ') << "     solved   virtual s     nodes     edges    random\n";
+  for (const StudyCell& cell : study.cells) widest = std::max(widest, widthOf(cell.label));
+  const Message title(study.heading.title);
+  console.print(study.quick ? Message{GLISSADE_TEXT("%1 (quick)"), {title}} : title);
+  console.print(GLISSADE_TEXT("medians of the solved runs"));
+  console.print({});
+  std::cout << std::string(widest, ' ');
+  console.print(GLISSADE_TEXT("     solved   virtual s     nodes     edges    random"));
   for (std::size_t i = 0; i < summaries.size(); ++i) {
     const CellSummary& summary = summaries[i];
-    const auto show = [&](const char* measure, int digits) {
-      return median(measureNamed(summary, measure).solved, digits);
+    const auto shown = [&](const char* measure, int digits, std::size_t width) {
+      return toRight(median(measureNamed(summary, measure).solved, digits), width);
     };
-    const std::string& label = study.cells[i].label;
-    std::cout << label << std::string(widest - width(label), ' ') << std::right << std::setw(5) << summary.solved()
-              << " of " << std::left << std::setw(4) << summary.runs << std::right << std::setw(8)
-              << show("virtual_s", 1) << std::setw(10) << show("nodes", 0) << std::setw(10) << show("edges", 0)
-              << std::setw(10) << show("random_configurations", 0) << "\n";
+    const std::string numbers = shown("virtual_s", 1, 8) + shown("nodes", 0, 10) + shown("edges", 0, 10) +
+                                shown("random_configurations", 0, 10);
+    console.print({GLISSADE_TEXT("%1 of %2"),
+                   {toLeft(study.cells[i].label, widest) + toRight(std::to_string(summary.solved()), 5),
+                    toLeft(std::to_string(summary.runs), 4) + numbers}});
   }
-  std::cout << "\nsee " << folder.file("report.html") << " and summary.csv"
-            << "\n";
+  console.print({});
+  console.print({GLISSADE_TEXT("see %1 and summary.csv"), {folder.file("report.html")}});
 }
 
 constexpr std::size_t kMostStudyBytes = 16U << 20;
@@ -123,7 +121,10 @@ Result<Shard> parseShard(const std::string& text) {
   const bool read = slash != std::string::npos && readWhole(std::string_view(text).substr(0, slash), shard.index) &&
                     readWhole(std::string_view(text).substr(slash + 1), shard.count);
   if (read && shard.index >= 1 && shard.index <= shard.count && shard.count <= kMostShards) return shard;
-  return Diagnostic{ErrorKind::Usage, "", "--shard", "'" + text + "' is not I/N with I from 1 to N",
+  return Diagnostic{ErrorKind::Usage,
+                    "",
+                    "--shard",
+                    {GLISSADE_TEXT("'%1' is not I/N with I from 1 to N"), {text}},
                     GLISSADE_TEXT("Write 1/4, 2/4, 3/4 and 4/4 for four shards.")};
 }
 
@@ -136,15 +137,18 @@ int describe(const StudyOptions& options, const StudyPlan& plan, const Shard& sh
   const StudyResults known = begun ? folder->results(warnings) : StudyResults();
   const auto runs = runsOf(plan.study, shard);
   for (const StudyRun& run : runs) done += known.count(run);
-  std::cout << plan.study.heading.title << "\n"
-            << plan.study.cells.size() << " cells, " << runs.size() << " runs in shard " << shard.index << " of "
-            << shard.count << ", " << done << " of them done\n\n";
+  const Console& console = options.console;
+  console.print(Message(plan.study.heading.title));
+  console.print({GLISSADE_TEXT("%1 cells, %2 runs in shard %3 of %4, %5 of them done"),
+                 {plan.study.cells.size(), runs.size(), shard.index, shard.count, done}});
+  console.print({});
   for (const StudyCell& cell : plan.study.cells) {
-    std::cout << cell.label << "\n  " << cell.seeds.size() << " seeds of: glissade-cli";
+    std::string command = "glissade-cli";
     for (const std::string& word : planArguments(cell, cell.seeds.front(), scenarioFileOf(options.study, cell))) {
-      std::cout << " " << word;
+      command += " " + word;
     }
-    std::cout << "\n";
+    std::cout << cell.label << "\n";
+    console.print({GLISSADE_TEXT("  %1 seeds of: %2"), {cell.seeds.size(), command}});
   }
   return 0;
 }
@@ -157,24 +161,24 @@ Outcome writeResults(const StudyFolder& folder, Warnings& warnings) {
 
 int carryOut(const StudyOptions& options, const StudyPlan& plan, const Shard& shard, const Interrupt& interrupt) {
   const auto text = readFile(options.study, kMostStudyBytes);
-  if (!text) return reportError(text.error(), {});
+  if (!text) return reportError(text.error(), options.console);
   const auto folder = StudyFolder::begin(options.out, plan, *text);
-  if (!folder) return reportError(folder.error(), {});
+  if (!folder) return reportError(folder.error(), options.console);
   const Outcome noted = folder->noteStudyFile(options.study);
-  if (!noted) return reportError(noted.error(), {});
+  if (!noted) return reportError(noted.error(), options.console);
   Warnings warnings;
-  ProgressLine line;
+  ProgressLine line(options.console);
   const RunnerOptions runner{std::filesystem::read_symlink("/proc/self/exe").string(), options.study, options.jobs,
                              shard};
   const Outcome ran = runStudy(
       *folder, runner, interrupt.token(), [&line](const StudyProgress& progress) { line.show(progress); }, warnings);
   line.end();
-  reportWarnings(warnings);
-  if (!ran && ran.error().kind != ErrorKind::Interrupted) return reportError(ran.error(), {});
+  reportWarnings(warnings, options.console);
+  if (!ran && ran.error().kind != ErrorKind::Interrupted) return reportError(ran.error(), options.console);
   const Outcome written = writeResults(*folder, warnings);
-  if (!written) return reportError(written.error(), {});
-  if (!ran) return reportError(ran.error(), {});
-  printSummary(*folder, warnings);
+  if (!written) return reportError(written.error(), options.console);
+  if (!ran) return reportError(ran.error(), options.console);
+  printSummary(*folder, warnings, options.console);
   return 0;
 }
 
@@ -183,43 +187,43 @@ int carryOut(const StudyOptions& options, const StudyPlan& plan, const Shard& sh
 int runStudyCommand(const StudyOptions& options) {
   const Interrupt interrupt;
   const auto shard = parseShard(options.shard);
-  if (!shard) return reportError(shard.error(), {});
+  if (!shard) return reportError(shard.error(), options.console);
   Warnings warnings;
   const auto plan = planStudy(options.study, options.quick, warnings);
-  reportWarnings(warnings);
-  if (!plan) return reportError(plan.error(), {});
+  reportWarnings(warnings, options.console);
+  if (!plan) return reportError(plan.error(), options.console);
   return options.dryRun ? describe(options, *plan, *shard) : carryOut(options, *plan, *shard, interrupt);
 }
 
 int runMerge(const MergeOptions& options) {
   Warnings warnings;
   const auto merged = mergeStudies(options.folders, options.out, warnings);
-  reportWarnings(warnings);
-  if (!merged) return reportError(merged.error(), {});
+  reportWarnings(warnings, options.console);
+  if (!merged) return reportError(merged.error(), options.console);
   const Outcome written = writeReport(*merged, merged->path(), warnings);
-  if (!written) return reportError(written.error(), {});
-  printSummary(*merged, warnings);
+  if (!written) return reportError(written.error(), options.console);
+  printSummary(*merged, warnings, options.console);
   return 0;
 }
 
 int runReport(const ReportOptions& options) {
   Warnings warnings;
   const auto folder = StudyFolder::open(options.folder);
-  if (!folder) return reportError(folder.error(), {});
+  if (!folder) return reportError(folder.error(), options.console);
   const std::string& out = options.out.empty() ? options.folder : options.out;
   const Outcome written = writeReport(*folder, out, warnings, *languageOf(options.language));
-  reportWarnings(warnings);
-  if (!written) return reportError(written.error(), {});
+  reportWarnings(warnings, options.console);
+  if (!written) return reportError(written.error(), options.console);
   std::cout << out << "/report.html\n";
   return 0;
 }
 
-int runBenchmarkPage(const std::string& folder) {
+int runBenchmarkPage(const BenchmarkPageOptions& options) {
   Warnings warnings;
-  const Outcome written = writeBenchmarkPage(folder, warnings);
-  reportWarnings(warnings);
-  if (!written) return reportError(written.error(), {});
-  std::cout << folder << "/benchmarks.html\n";
+  const Outcome written = writeBenchmarkPage(options.folder, warnings);
+  reportWarnings(warnings, options.console);
+  if (!written) return reportError(written.error(), options.console);
+  std::cout << options.folder << "/benchmarks.html\n";
   return 0;
 }
 

@@ -1,10 +1,10 @@
 #include "app/cli/commands.h"
 
 #include <cmath>
-#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/interrupt.h"
+#include "app/cli/text_cells.h"
 #include "engine/base/volume_unit.h"
 #include "engine/scenario/path_reader.h"
 #include "engine/scenario/scenario_io.h"
@@ -25,16 +25,20 @@ void report(const SweptVolume& sweep, const std::vector<std::string>& within, co
     return;
   }
   const VolumeUnit unit = volumeUnitFor(sweep.volume);
-  std::cout << "swept volume " << sweep.volume * unit.perCubicMetre << " " << unit.name << ", "
-            << sweep.surface_W.triangles.size() << " triangles; it contains the sweep, and its surface is at most "
-            << sweep.bound * 1e3 << " mm away from it\n";
+  const Console& console = options.console;
+  console.print({GLISSADE_TEXT("swept volume %1 %2, %3 triangles; it contains the sweep, and its surface is at most %4 "
+                               "mm away from it"),
+                 {rounded(sweep.volume * unit.perCubicMetre), unit.name, sweep.surface_W.triangles.size(),
+                  rounded(sweep.bound * 1e3)}});
   if (std::isfinite(sweep.excess)) {
-    std::cout << "its volume is about " << std::ceil(1e2 * sweep.excess) << " % larger than what the object covers\n";
+    console.print({GLISSADE_TEXT("its volume is about %1 % larger than what the object covers"),
+                   {rounded(std::ceil(1e2 * sweep.excess))}});
   } else {
-    std::cout << "how much larger its volume is than what the object covers is not known: the object is thin\n";
+    console.print(
+        GLISSADE_TEXT("how much larger its volume is than what the object covers is not known: the object is thin"));
   }
-  for (const std::string& body : within) std::cout << "within it or at its surface: " << body << "\n";
-  std::cout << "wrote " << options.output << "\n";
+  for (const std::string& body : within) console.print({GLISSADE_TEXT("within it or at its surface: %1"), {body}});
+  console.print({GLISSADE_TEXT("wrote %1"), {options.output}});
 }
 
 }  // namespace
@@ -43,7 +47,7 @@ int runSweep(const SweepOptions& options) {
   const Interrupt interrupt;
   const auto loaded = loadScenario(options.scenario);
   if (!loaded) return reportError(loaded.error(), options.console);
-  reportWarnings(loaded->warnings);
+  reportWarnings(loaded->warnings, options.console);
   const auto points = readPath(options.path);
   if (!points) return reportError(points.error(), options.console);
 
@@ -65,7 +69,7 @@ int runSweep(const SweepOptions& options) {
   const Outcome saved = saveSweptVolume(*sweep, "Swept volume of " + loaded->object.name, loaded->object.colour,
                                         options.output, warnings);
   if (!saved) return reportError(saved.error(), options.console);
-  reportWarnings(warnings);
+  reportWarnings(warnings, options.console);
   report(*sweep, within, options);
   return 0;
 }

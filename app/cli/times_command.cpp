@@ -1,9 +1,11 @@
 #include "app/cli/commands.h"
 
-#include <iomanip>
+#include <algorithm>
+#include <array>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/text_cells.h"
 #include "engine/scenario/plan_file.h"
 #include "engine/scenario/product_file.h"
 #include "engine/scenario/work_times_json.h"
@@ -15,36 +17,65 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kEstimates =
-    "the times are estimates and were not measured; --write-table writes the table, --table reads an edited one";
+constexpr CatalogueText kEstimates = GLISSADE_TEXT(
+    "the times are estimates and were not measured; --write-table writes the table, --table reads an edited one");
 
 const AssemblyStep& stepOf(const AssemblyPlan& plan, std::size_t task) {
   return plan.steps[plan.steps.size() - 1 - task];
 }
 
-void printText(const PlanTiming& timing, const AssemblyPlan& plan, const AssembledProduct& product) {
-  std::cout << std::fixed << std::setprecision(1);
-  std::cout << "step  seconds   fetch   place    turn    tool    hold  parts\n";
+/// Prints the times of each step. Numbers are below the ends of the titles.
+void printTable(const PlanTiming& timing, const AssemblyPlan& plan, const AssembledProduct& product,
+                const Console& console) {
+  struct Column {
+    CatalogueText title;
+    std::size_t width;  ///< at least
+  };
+  constexpr std::array<Column, 7> kColumns{{{GLISSADE_TEXT("step"), 4},
+                                            {GLISSADE_TEXT("seconds"), 9},
+                                            {GLISSADE_TEXT("fetch"), 8},
+                                            {GLISSADE_TEXT("place"), 8},
+                                            {GLISSADE_TEXT("turn"), 8},
+                                            {GLISSADE_TEXT("tool"), 8},
+                                            {GLISSADE_TEXT("hold"), 8}}};
+  std::array<std::size_t, kColumns.size()> widths{};
+  for (std::size_t i = 0; i < kColumns.size(); ++i) {
+    const std::string title = console.text(kColumns[i].title);
+    widths[i] = std::max(kColumns[i].width, widthOf(title) + (i == 0 ? 0 : 2));
+    std::cout << toRight(title, widths[i]);
+  }
+  std::cout << "  " << console.text(GLISSADE_TEXT("parts")) << "\n";
   for (std::size_t i = 0; i < timing.times.size(); ++i) {
     const StepTime& time = timing.times[i];
-    std::cout << std::setw(4) << i + 1 << std::setw(9) << time.total();
-    for (const double part : {time.fetch, time.place, time.turn, time.tool, time.hold}) {
-      std::cout << std::setw(8) << part;
+    std::cout << toRight(std::to_string(i + 1), widths[0]);
+    std::size_t column = 0;
+    for (const double part : {time.total(), time.fetch, time.place, time.turn, time.tool, time.hold}) {
+      std::cout << toRight(fixedDigits(part, 1), widths[++column]);
     }
     std::cout << "  " << nameOfStep(stepOf(plan, i), product) << "\n";
   }
-  std::cout << "one person: " << timing.sum() << " s\n";
-  std::cout << "longest chain: " << timing.chainSeconds() << " s, steps " << numbersText(timing.chain) << "\n";
-  if (timing.line) {
-    const LineBalance& line = *timing.line;
-    std::cout << line.load.size() << " stations: a product every " << line.cycle << " s (no division is faster than "
-              << line.least << " s), people work " << 100.0 * line.efficiency() << " % of the time\n";
-    for (std::size_t s = 0; s < line.load.size(); ++s) {
-      std::cout << "  station " << s + 1 << ": " << line.load[s] << " s, steps " << numbersText(timing.stepsAt(s))
-                << "\n";
-    }
+}
+
+/// Prints how the steps are divided over the stations of a line.
+void printLine(const LineBalance& line, const PlanTiming& timing, const Console& console) {
+  console.print({GLISSADE_TEXT("%1 stations: a product every %2 s (no division is faster than %3 s), people work %4 % "
+                               "of the time"),
+                 {line.load.size(), fixedDigits(line.cycle, 1), fixedDigits(line.least, 1),
+                  fixedDigits(100.0 * line.efficiency(), 1)}});
+  for (std::size_t s = 0; s < line.load.size(); ++s) {
+    console.print({GLISSADE_TEXT("  station %1: %2 s, steps %3"),
+                   {s + 1, fixedDigits(line.load[s], 1), numbersText(timing.stepsAt(s))}});
   }
-  std::cout << kEstimates << "\n";
+}
+
+void printText(const PlanTiming& timing, const AssemblyPlan& plan, const AssembledProduct& product,
+               const Console& console) {
+  printTable(timing, plan, product, console);
+  console.print({GLISSADE_TEXT("one person: %1 s"), {fixedDigits(timing.sum(), 1)}});
+  console.print({GLISSADE_TEXT("longest chain: %1 s, steps %2"),
+                 {fixedDigits(timing.chainSeconds(), 1), numbersText(timing.chain)}});
+  if (timing.line) printLine(*timing.line, timing, console);
+  console.print(kEstimates);
 }
 
 Json numbersJson(const std::vector<std::size_t>& steps) {
@@ -78,7 +109,7 @@ Json toJson(const PlanTiming& timing, const AssemblyPlan& plan) {
           {{"seconds", timing.line->load[s]}, {"steps", numbersJson(timing.stepsAt(s))}});
     }
   }
-  json["note"] = kEstimates;
+  json["note"] = kEstimates.english;
   return json;
 }
 
@@ -89,7 +120,7 @@ int runTimes(const TimesOptions& options) {
   if (!plan) return reportError(plan.error(), options.console);
   const auto loaded = loadProduct(options.product, {}, plan->deflection, {{}, plan->bodies});
   if (!loaded) return reportError(loaded.error(), options.console);
-  reportWarnings(loaded->warnings);
+  reportWarnings(loaded->warnings, options.console);
   std::vector<std::string> ids;
   for (const RigidBody& body : loaded->product.bodies) ids.push_back(body.id);
   if (const Outcome same = checkSameBodies(*plan, ids, options.plan); !same) {
@@ -105,13 +136,13 @@ int runTimes(const TimesOptions& options) {
   const auto timing = planTiming(*plan, loaded->product, *table, options.stations);
   if (!timing) {
     Diagnostic error = timing.error();
-    error.location = "--" + error.location;
+    error.location = "--" + toString(error.location);
     return reportError(error, options.console);
   }
   if (options.console.json) {
     std::cout << toJson(*timing, *plan).dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
   } else {
-    printText(*timing, *plan, loaded->product);
+    printText(*timing, *plan, loaded->product, options.console);
   }
   return 0;
 }

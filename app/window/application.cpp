@@ -146,7 +146,7 @@ std::optional<Diagnostic> applyStereo(const QCommandLineParser& parser, const Ac
   }
   QAction* action = actions[QLatin1String(entryOf(*mode).action)];
   if (!action->isEnabled())
-    return Diagnostic{ErrorKind::Usage, "", "--stereo", GLISSADE_TEXT("is a mode that is not possible here"), ""};
+    return Diagnostic{ErrorKind::Usage, "", "--stereo", GLISSADE_TEXT("is a mode that is not possible here"), {}};
   action->trigger();
   return std::nullopt;
 }

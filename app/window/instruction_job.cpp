@@ -30,7 +30,7 @@ constexpr double kGraphScale = 1.5;
 constexpr double kChoosingViews = 0.3;
 
 SaveResult cancelled(const QString& file) {
-  return notSaved({ErrorKind::Interrupted, file.toStdString(), "", GLISSADE_TEXT("the document was cancelled"), ""});
+  return notSaved({ErrorKind::Interrupted, file.toStdString(), "", GLISSADE_TEXT("the document was cancelled"), {}});
 }
 
 /// The check that the pages state: the known one, or a new one if some step was not judged yet.

@@ -145,7 +145,7 @@ SaveResult saveFile(const std::string& file, const std::string& content, const S
     if (!kept && options.versionRequired) return notSaved(kept.error());
     if (!kept)
       warnings.push_back(
-          warning(*target, {GLISSADE_TEXT("no earlier version was kept: %1"), {kept.error().reason}}, ""));
+          warning(*target, {GLISSADE_TEXT("no earlier version was kept: %1"), {kept.error().reason}}, {}));
   }
   warnOfHardLinks(*target, warnings);
   SaveResult result = replace(*target, content, options, std::move(warnings));

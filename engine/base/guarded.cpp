@@ -29,7 +29,7 @@ Diagnostic describe(const Message& doing) {
   } catch (const std::bad_alloc& error) {
     return outOfMemory(doing, error.what());
   } catch (const std::exception& error) {  // includes the exceptions of OMPL, JSON and CLI11
-    return internalError(doing, error.what());
+    return internalError(doing, Message(error.what()));
   } catch (...) {
     return internalError(doing, GLISSADE_TEXT("of an unknown kind"));
   }
@@ -37,22 +37,22 @@ Diagnostic describe(const Message& doing) {
 
 }  // namespace
 
-Diagnostic withoutMemory() noexcept {
-  return {ErrorKind::LimitReached, "", "", GLISSADE_TEXT("out of memory"), ""};
-  Diagnostic currentExceptionAsDiagnostic(const Message& doing) noexcept {
-    try {
-      return describe(doing);
-    } catch (...) {
-      return withoutMemory();
-    }
-  }
+Diagnostic withoutMemory() noexcept { return {ErrorKind::LimitReached, "", {}, GLISSADE_TEXT("out of memory"), {}}; }
 
-  Diagnostic currentExceptionAsDiagnostic(CatalogueText doing) noexcept {
-    try {
-      return describe(doing);
-    } catch (...) {
-      return withoutMemory();
-    }
+Diagnostic currentExceptionAsDiagnostic(const Message& doing) noexcept {
+  try {
+    return describe(doing);
+  } catch (...) {
+    return withoutMemory();
   }
+}
+
+Diagnostic currentExceptionAsDiagnostic(CatalogueText doing) noexcept {
+  try {
+    return describe(doing);
+  } catch (...) {
+    return withoutMemory();
+  }
+}
 
 }  // namespace glissade

@@ -49,8 +49,8 @@ struct Message {
           std::initializer_list<MessageArgument> arguments = {});  // NOLINT(google-explicit-constructor)
   Message(CatalogueText text, std::vector<MessageArgument> arguments);
   /// A text that is equal in all languages: a name, a place in a file, the text of a library.
-  Message(std::string text);  // NOLINT(google-explicit-constructor)
-  Message(const char* text);  // NOLINT(google-explicit-constructor)
+  explicit Message(std::string text);
+  explicit Message(const char* text);
 
   bool empty() const { return text.empty(); }
   bool operator==(const Message& other) const;

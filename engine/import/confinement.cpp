@@ -25,7 +25,7 @@ namespace {
 namespace protocol = import_protocol;
 
 Diagnostic failed(CatalogueText what) {
-  return {ErrorKind::Internal, "", "", {GLISSADE_TEXT("%1: %2"), {what, std::strerror(errno)}}, ""};
+  return {ErrorKind::Internal, "", "", {GLISSADE_TEXT("%1: %2"), {what, std::strerror(errno)}}, {}};
 }
 
 /// Never raises a lower limit.

@@ -24,7 +24,7 @@ constexpr CatalogueText kAdvice =
 Message listed(const std::vector<std::string>& names, std::size_t most) {
   std::string text;
   for (std::size_t i = 0; i < std::min(names.size(), most); ++i) text += (i > 0 ? ", '" : "'") + names[i] + "'";
-  if (names.size() <= most) return text;
+  if (names.size() <= most) return Message(text);
   return {GLISSADE_TEXT("%1 and %2 more"), {text, names.size() - most}};
 }
 

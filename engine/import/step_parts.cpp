@@ -11,7 +11,7 @@ Message nameList(const std::vector<std::string>& names) {
   constexpr std::size_t kMost = 30;
   std::string text;
   for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i) text += (i > 0 ? ", " : "") + names[i];
-  if (names.size() <= kMost) return text;
+  if (names.size() <= kMost) return Message(text);
   return {GLISSADE_TEXT("%1 and %2 more"), {text, names.size() - kMost}};
 }
 

@@ -189,7 +189,7 @@ PlannerRegistry makeLocalPlannerRegistry() {
                 [](const Problem& problem, std::uint64_t) -> std::unique_ptr<Planner> {
                   return std::make_unique<LinearPlanner>(problem);
                 }});
-  registry.add({"rrt", "RRT", GLISSADE_TEXT("One tree (LaValle 1998)."), false, true,
+  registry.add({"rrt", GLISSADE_TEXT("RRT"), GLISSADE_TEXT("One tree (LaValle 1998)."), false, true,
                 [](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
                   return std::make_unique<Rrt>(problem, seed);
                 }});

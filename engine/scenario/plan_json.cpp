@@ -357,7 +357,7 @@ class PlanReader {
     const auto kind = kindByName(at.at("kind").text());
     if (!kind) at.at("kind").fail(GLISSADE_TEXT("is not a kind of fit"));
     StepAllowance allowance{readId(at.at("body")), *kind, readLength(at.at("overlap_m")),
-                            readLength(at.at("allowance_m")), at.at("text").text()};
+                            readLength(at.at("allowance_m")), Message(at.at("text").text())};
     if (const auto moving = at.find("moving")) allowance.moving = readId(*moving);
     if (const auto yields = at.find("yields")) allowance.yields = yields->boolean();
     if (const auto hollow = at.find("hollow")) allowance.hollow = hollow->boolean();

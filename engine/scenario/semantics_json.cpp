@@ -118,7 +118,7 @@ AttributeDefinition readDefinition(const JsonCursor& at) {
   at.allowOnly({"name", "label", "type", "of", "unit", "minimum", "maximum", "choices", "description", "initial"});
   AttributeDefinition definition;
   definition.name = at.at("name").nonEmptyText();
-  definition.label = at.has("label") ? at.at("label").text() : definition.name;
+  definition.label = Message(at.has("label") ? at.at("label").text() : definition.name);
   const auto type = kAttributeTypeNames.find(at.at("type").text());
   if (!type)
     at.at("type").fail(GLISSADE_TEXT("is not a type of attribute"),
@@ -132,7 +132,7 @@ AttributeDefinition readDefinition(const JsonCursor& at) {
   for (std::size_t i = 0; choices && i < choices->sizeUpTo(kMostChoices); ++i) {
     definition.choices.push_back(choices->element(i).nonEmptyText());
   }
-  if (const auto description = at.find("description")) definition.description = description->text();
+  if (const auto description = at.find("description")) definition.description = Message(description->text());
   definition.initial = initialValue(definition);
   if (const auto initial = at.find("initial")) definition.initial = readValue(*initial);
   return definition;

@@ -57,7 +57,7 @@ Outcome checkWorkTime(const WorkTimeRow& row, double value) {
                     "",
                     std::string("/times/") + row.id,
                     {GLISSADE_TEXT("is not from 0 to %1"), {row.most}},
-                    ""};
+                    {}};
 }
 
 Result<WorkTimes> readWorkTimes(const std::string& file) {

@@ -119,7 +119,7 @@ SaveResult writeInstructionPdf(const WorkInstruction& instruction, const Instruc
   for (std::size_t i = 0; i < pages.size(); ++i) {
     if (watch.stop.stopRequested()) {
       return notSaved(
-          {ErrorKind::Interrupted, file.toStdString(), "", GLISSADE_TEXT("the document was cancelled"), ""});
+          {ErrorKind::Interrupted, file.toStdString(), "", GLISSADE_TEXT("the document was cancelled"), {}});
     }
     if (i > 0) writer.newPage();
     pagePainter.paint(pages[i]);

@@ -153,7 +153,7 @@ void WorkTimesEditor::take(std::size_t row, const QString& text) {
   const WorkTimeRow& time = workTimeRows()[row];
   const auto value = workTimeIn(text);
   const Outcome fits = value ? checkWorkTime(time, *value)
-                             : Diagnostic{ErrorKind::MalformedInput, "", "", GLISSADE_TEXT("is not a number"), ""};
+                             : Diagnostic{ErrorKind::MalformedInput, "", "", GLISSADE_TEXT("is not a number"), {}};
   if (!fits) {
     refuse(time, text, fits.error().reason);
     return;

@@ -150,7 +150,7 @@ Result<Pose> moveToClearance(const CollisionWorldPtr& world, const Pose& q, doub
   if (const auto near = search.retract()) return *near;
   if (const auto out = search.slideOut()) return *out;
   if (stop.stopRequested())
-    return Diagnostic{ErrorKind::Interrupted, "", "", GLISSADE_TEXT("the operation was stopped"), ""};
+    return Diagnostic{ErrorKind::Interrupted, "", "", GLISSADE_TEXT("the operation was stopped"), {}};
   return search.failure();
 }
 

@@ -6,7 +6,7 @@ namespace glissade {
 namespace {
 
 Message planners(const FineChoice& choice) {
-  if (!choice.geometrical) return choice.local;
+  if (!choice.geometrical) return Message(choice.local);
   return {GLISSADE_TEXT("geometrical planner, then %1"), {choice.local}};
 }
 
