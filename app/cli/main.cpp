@@ -2,21 +2,23 @@
 #include <signal.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <functional>
 #include <iostream>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/cli/commands.h"
+#include "app/cli/parsed_command.h"
 #include "app/cli/printable_output.h"
 #include "app/version_text.h"
 #include "engine/base/guarded.h"
 #include "engine/base/limits.h"
-#include "engine/base/number_text.h"
-#include "engine/base/quantity_text.h"
 #include "engine/scenario/path_exporter.h"
 
 namespace {
@@ -24,21 +26,7 @@ namespace {
 using namespace glissade;
 using namespace glissade::cli;
 
-/// Converts a length as people write it to metres: 0.0005, 0.5mm, 5 cm, 1in. Units: m, cm, mm, in, inch, ft; none:
-/// metres. Throws CLI::ValidationError with the reason.
-double metres(const std::string& text) {
-  const auto length = toMetres(text, 1.0);
-  if (!length) {
-    throw CLI::ValidationError("'" + text +
-                               "' is not a length: give metres, or a unit as in 0.5mm (m, cm, mm, in, ft)");
-  }
-  if (!limits::isCoordinate(*length)) {
-    throw CLI::ValidationError("'" + text + "' is beyond 1e9 m: check the unit");
-  }
-  return *length;
-}
-
-void addConsole(const Command& command, Console& console) {
+void addConsole(const ParsedCommand& command, Console& console) {
   command.flag("--json", console.json, GLISSADE_TEXT("One JSON object on standard output and nothing else"));
 }
 
@@ -49,33 +37,29 @@ std::string plannerNames() {
   return names;
 }
 
-void addLength(const Command& command, const std::string& option, const std::function<void(double)>& take,
-               const std::string& help) {
-  command.optionFor<std::string>(
-      option, [take](const std::string& text) { take(metres(text)); }, help);
-}
-
 /// Adds one option for each row of the parameter table. Ranges are checked when the object's size is known.
-void addParameters(const Command& command, std::map<ParameterId, double>& values) {
+void addParameters(const ParsedCommand& command, std::map<ParameterId, double>& values) {
   for (const ParameterSpec& spec : parameterTable()) {
-    const std::string help =
-        std::string(spec.help.english) + (spec.unit.empty() ? "" : " [" + std::string(spec.unit) + "]");
+    const Message help =
+        spec.unit.empty() ? Message(spec.help) : Message{CatalogueText{"%1 [%2]"}, {spec.help, spec.unit}};
+    const std::string option(spec.option);
+    const auto take = [&values, id = spec.id](double value) { values[id] = value; };
     if (spec.unit == "m") {
-      command.length(
-          std::string(spec.option), [&values, id = spec.id](double value) { values[id] = value; }, help);
-      continue;
+      command.length(option, take, help);
+    } else {
+      command.optionFor<double>(option, take, help);
     }
-    command.optionFor<double>(
-        std::string(spec.option), [&values, id = spec.id](const double& value) { values[id] = value; }, help);
   }
 }
 
-void addAcceptClashes(const Command& command, FitOptions& options) {
+void addAcceptClashes(const ParsedCommand& command, FitOptions& options) {
   command.length(
       "--accept-clashes",
-      [&options](double overlap) {
-        if (overlap < 0.0)
-          throw CLI::ValidationError("--accept-clashes", GLISSADE_TEXT("is below zero: give a length, as 1.5mm"));
+      [&options, command](double overlap) {
+        if (overlap < 0.0) {
+          throw CLI::ValidationError("--accept-clashes",
+                                     command.text(GLISSADE_TEXT("is below zero: give a length, as 1.5mm")));
+        }
         options.acceptedClash = overlap;
       },
       GLISSADE_TEXT("Take clashes up to this overlap as fits, as 1.5mm"));
@@ -84,28 +68,31 @@ void addAcceptClashes(const Command& command, FitOptions& options) {
       GLISSADE_TEXT("In accepted clashes, the body that is cut where it is not clear which of the two has the hole"));
 }
 
-void addFitOptions(const Command& command, FitOptions& options, const std::string& usual) {
+void addFitOptions(const ParsedCommand& command, FitOptions& options, const Message& usual) {
   command
       .optionFor<std::string>(
           "--fits", [&options](const std::string& mode) { options.on = mode == "on"; },
-          "Whether bodies that fit where they are assembled are taken thinner against each other: on or off "
-          "(default: " +
-              usual + ")")
+          {GLISSADE_TEXT("Whether bodies that fit where they are assembled are taken thinner against each other: on or "
+                         "off (default: %1)"),
+           {usual}})
       ->check(CLI::IsMember({"on", "off"}));
   addAcceptClashes(command, options);
 }
 
-Command addPlan(const Command& app, PlanOptions& options) {
-  const Command plan = app.subcommand("plan", GLISSADE_TEXT("Plan a motion and deliver it with its certificate"));
+ParsedCommand addPlan(const ParsedCommand& app, PlanOptions& options) {
+  const ParsedCommand plan = app.subcommand("plan", GLISSADE_TEXT("Plan a motion and deliver it with its certificate"));
   plan.option("SCENARIO", options.scenario, GLISSADE_TEXT("Scenario file or OMPL.app .cfg"))->required();
-  plan.option("--strategy", options.strategy, "Planner: " + plannerNames() + " (default: the scenario's)");
+  plan.option("--strategy", options.strategy,
+              {GLISSADE_TEXT("Planner: %1 (default: the scenario's)"), {plannerNames()}});
   const std::map<std::string, CollisionBackend> backends{{"kernel", CollisionBackend::Kernel},
                                                          {"fcl", CollisionBackend::Fcl}};
   plan.optionFor<std::string>(
       "--collision",
-      [&options, backends](const std::string& name) {
+      [&options, backends, plan](const std::string& name) {
         const auto backend = backends.find(name);
-        if (backend == backends.end()) throw CLI::ValidationError("--collision", "'" + name + "' is not kernel or fcl");
+        if (backend == backends.end()) {
+          throw CLI::ValidationError("--collision", plan.text({GLISSADE_TEXT("'%1' is not kernel or fcl"), {name}}));
+        }
         options.collision = backend->second;
       },
       GLISSADE_TEXT("Collision checker: kernel or fcl (default: kernel)"));
@@ -117,44 +104,45 @@ Command addPlan(const Command& app, PlanOptions& options) {
   plan.option("--way", options.way,
               GLISSADE_TEXT("A simulated operator shows the way of this path, not the scenario's way-points"));
   addParameters(plan, options.parameters);
-  plan->add_flag_callback(
+  plan.app().add_flag_callback(
       "--smooth", [&options] { options.parameters.try_emplace(ParameterId::Smoothing, kUsualShortcuts); },
-      "Shorten the path and keep it certified: --smoothing " + std::to_string(kUsualShortcuts));
+      plan.text({GLISSADE_TEXT("Shorten the path and keep it certified: --smoothing %1"), {kUsualShortcuts}}));
   plan.flag("--edges", options.edges, GLISSADE_TEXT("Report the certificate of every edge"));
   plan.flag("--difficulty", options.difficulty, GLISSADE_TEXT("Where no path is found, print the reasons"));
   plan.option("--seed", options.seed, GLISSADE_TEXT("Seed of everything random (default: the scenario's)"));
-  plan.option("--out", options.out, "Write the path: " + toString(writablePathFormats()));
+  plan.option("--out", options.out, {GLISSADE_TEXT("Write the path: %1"), {writablePathFormats()}});
   plan.option("--record", options.record, GLISSADE_TEXT("Write a run record for replay"));
   addConsole(plan, options.console);
   return plan;
 }
 
 /// Adds the option that all commands about products have.
-void addWithout(const Command& command, std::vector<std::string>& without) {
+void addWithout(const ParsedCommand& command, std::vector<std::string>& without) {
   command.option("--without", without,
                  GLISSADE_TEXT("Leave a body or an assembly of the product out: its name (can be repeated)"));
 }
 
 /// Adds the option that all commands about product files have.
-void addOpen(const Command& command, std::vector<std::string>& open) {
+void addOpen(const ParsedCommand& command, std::vector<std::string>& open) {
   command.option("--open", open, GLISSADE_TEXT("Take a part of several solids as these: its name (can be repeated)"));
 }
 
 /// Adds the option of commands that work in several threads and whose results do not depend on their number.
-void addLanes(const Command& command, std::size_t& lanes) {
+void addLanes(const ParsedCommand& command, std::size_t& lanes) {
   command
       .option("--lanes", lanes, GLISSADE_TEXT("Threads; they do not change the result (default: one for each core)"))
       ->check(CLI::Range(1, 1024));
 }
 
-Command addCheck(const Command& app, CheckOptions& options) {
-  const Command check =
+ParsedCommand addCheck(const ParsedCommand& app, CheckOptions& options) {
+  const ParsedCommand check =
       app.subcommand("check", GLISSADE_TEXT("Judge a path or an assembly plan with the independent check"));
   check
       .option("SCENARIO", options.scenario,
               GLISSADE_TEXT("Scenario file or OMPL.app .cfg; of an assembly plan the product, as in sequence"))
       ->required();
-  check.option("PATH", options.path, "Assembly plan, or path: " + toString(readablePathFormats()))->required();
+  check.option("PATH", options.path, {GLISSADE_TEXT("Assembly plan, or path: %1"), {readablePathFormats()}})
+      ->required();
   check.length(
       std::string(specOf(ParameterId::RequiredClearance).option),
       [&options](double value) { options.requiredClearance = value; },
@@ -173,11 +161,12 @@ Command addCheck(const Command& app, CheckOptions& options) {
   return check;
 }
 
-Command addSmooth(const Command& app, SmoothOptions& options) {
-  const Command smooth = app.subcommand("smooth", GLISSADE_TEXT("Shorten a certified path and keep it certified"));
+ParsedCommand addSmooth(const ParsedCommand& app, SmoothOptions& options) {
+  const ParsedCommand smooth =
+      app.subcommand("smooth", GLISSADE_TEXT("Shorten a certified path and keep it certified"));
   smooth.option("SCENARIO", options.scenario, GLISSADE_TEXT("Scenario file or OMPL.app .cfg"))->required();
-  smooth.option("PATH", options.input, "Path: " + toString(readablePathFormats()))->required();
-  smooth.option("OUT", options.output, "Write the path: " + toString(writablePathFormats()))->required();
+  smooth.option("PATH", options.input, {GLISSADE_TEXT("Path: %1"), {readablePathFormats()}})->required();
+  smooth.option("OUT", options.output, {GLISSADE_TEXT("Write the path: %1"), {writablePathFormats()}})->required();
   smooth.option("--attempts", options.attempts, GLISSADE_TEXT("Shortcuts to try"))
       ->check(CLI::Range(0, 1'000'000))
       ->capture_default_str();
@@ -186,11 +175,11 @@ Command addSmooth(const Command& app, SmoothOptions& options) {
   return smooth;
 }
 
-Command addSweep(const Command& app, SweepOptions& options) {
-  const Command sweep =
+ParsedCommand addSweep(const ParsedCommand& app, SweepOptions& options) {
+  const ParsedCommand sweep =
       app.subcommand("sweep", GLISSADE_TEXT("Write the swept volume of a path: all that the object covers"));
   sweep.option("SCENARIO", options.scenario, GLISSADE_TEXT("Scenario file or OMPL.app .cfg"))->required();
-  sweep.option("PATH", options.path, "Path: " + toString(readablePathFormats()))->required();
+  sweep.option("PATH", options.path, {GLISSADE_TEXT("Path: %1"), {readablePathFormats()}})->required();
   sweep.option("OUT", options.output, GLISSADE_TEXT("Write the swept volume: .stl (millimetres) or .glb"))->required();
   sweep.length(
       "--bound", [&options](double bound) { options.bound = bound; },
@@ -201,8 +190,8 @@ Command addSweep(const Command& app, SweepOptions& options) {
   return sweep;
 }
 
-Command addInfo(const Command& app, InfoOptions& options) {
-  const Command info =
+ParsedCommand addInfo(const ParsedCommand& app, InfoOptions& options) {
+  const ParsedCommand info =
       app.subcommand("info", GLISSADE_TEXT("Show bodies, triangles, units and the quality of the meshes"));
   info.option("FILE", options.file,
               GLISSADE_TEXT("Scenario, OMPL.app .cfg, or part file (STEP, IGES, BREP, mesh, URDF)"))
@@ -216,21 +205,25 @@ Command addInfo(const Command& app, InfoOptions& options) {
   return info;
 }
 
+void checkDeflection(double metres, const ParsedCommand& command) {
+  if (limits::isSize(metres)) return;
+  throw CLI::ValidationError("--deflection", command.text(GLISSADE_TEXT("is not from 1e-12 m to 1e9 m")));
+}
+
 /// Adds the option for commands that take part files; a scenario states the deflection of its assets itself.
-void addPartDeflection(const Command& command, double& deflection) {
+void addPartDeflection(const ParsedCommand& command, double& deflection) {
   command.length(
       "--deflection",
-      [&deflection](double value) {
-        if (!limits::isSize(value))
-          throw CLI::ValidationError("--deflection", GLISSADE_TEXT("is not from 1e-12 m to 1e9 m"));
+      [&deflection, command](double value) {
+        checkDeflection(value, command);
         deflection = value;
       },
       GLISSADE_TEXT(
           "How far triangles may be off the surfaces of a STEP file, as 0.05mm (default: by the size of each part)"));
 }
 
-Command addFits(const Command& app, FitsOptions& options) {
-  const Command fits =
+ParsedCommand addFits(const ParsedCommand& app, FitsOptions& options) {
+  const ParsedCommand fits =
       app.subcommand("fits", GLISSADE_TEXT("List the contacts, fits and clashes of a product as it is assembled"));
   fits.option("FILE", options.file,
               GLISSADE_TEXT("Scenario, STEP, IGES or BREP file, or an assembly in one (product.step:pump)"))
@@ -255,8 +248,8 @@ Command addFits(const Command& app, FitsOptions& options) {
   return fits;
 }
 
-Command addJoints(const Command& app, JointsOptions& options) {
-  const Command joints =
+ParsedCommand addJoints(const ParsedCommand& app, JointsOptions& options) {
+  const ParsedCommand joints =
       app.subcommand("joints", GLISSADE_TEXT("List how the bodies of a product are joined: screws, nuts, inserts"));
   joints
       .option("FILE", options.file,
@@ -276,8 +269,8 @@ Command addJoints(const Command& app, JointsOptions& options) {
   return joints;
 }
 
-Command addSequence(const Command& app, SequenceOptions& options) {
-  const Command sequence = app.subcommand(
+ParsedCommand addSequence(const ParsedCommand& app, SequenceOptions& options) {
+  const ParsedCommand sequence = app.subcommand(
       "sequence", GLISSADE_TEXT("Find in which order the parts of a product leave, with a certified motion each"));
   sequence
       .option("FILE", options.file,
@@ -329,8 +322,8 @@ Command addSequence(const Command& app, SequenceOptions& options) {
   return sequence;
 }
 
-Command addTimes(const Command& app, TimesOptions& options) {
-  const Command times =
+ParsedCommand addTimes(const ParsedCommand& app, TimesOptions& options) {
+  const ParsedCommand times =
       app.subcommand("times", GLISSADE_TEXT("How long the steps of an assembly plan take, also divided over a line"));
   times.option("FILE", options.product, GLISSADE_TEXT("The product of the plan: a scenario or a STEP file"))
       ->required();
@@ -344,15 +337,15 @@ Command addTimes(const Command& app, TimesOptions& options) {
   return times;
 }
 
-Command addAccess(const Command& app, AccessOptions& options) {
-  const Command access = app.subcommand(
+ParsedCommand addAccess(const ParsedCommand& app, AccessOptions& options) {
+  const ParsedCommand access = app.subcommand(
       "access", GLISSADE_TEXT("Whether a hand gets to a path or to the steps of an assembly plan, and an eye sees"));
-  access->footer(
+  access.app().footer(access.text(GLISSADE_TEXT(
       "Hand, forearm and tool are sampled along each motion; this is no proof. Measures: ANSUR II (NATICK/TR-15/007).\n"
-      "Exit codes: 0 all is reached and seen, 1 not all, 2 wrong usage, 3 unreadable input, 130 interrupted.");
+      "Exit codes: 0 all is reached and seen, 1 not all, 2 wrong usage, 3 unreadable input, 130 interrupted.")));
   access.option("FILE", options.file, GLISSADE_TEXT("The scenario of the path, or the product of the plan"))
       ->required();
-  access.option("--path", options.path, "Path of the object: " + toString(readablePathFormats()));
+  access.option("--path", options.path, {GLISSADE_TEXT("Path of the object: %1"), {readablePathFormats()}});
   access.option("--plan", options.plan, GLISSADE_TEXT("Assembly plan, as 'sequence --out' writes it"));
   std::map<std::string, HandSize> sizes;
   for (const HandSize size : kHandSizes) sizes[kHandSizeNames.of(size)] = size;
@@ -371,30 +364,32 @@ Command addAccess(const Command& app, AccessOptions& options) {
   return access;
 }
 
-Command addConvert(const Command& app, ConvertOptions& options) {
-  const Command convert =
+ParsedCommand addConvert(const ParsedCommand& app, ConvertOptions& options) {
+  const ParsedCommand convert =
       app.subcommand("convert", GLISSADE_TEXT("Convert an OMPL.app .cfg to a scenario, or a path to another format"));
   convert
-      .option("IN", options.input, "What to read: a .cfg, a scenario; or a path: " + toString(readablePathFormats()))
+      .option("IN", options.input,
+              {GLISSADE_TEXT("What to read: a .cfg, a scenario; or a path: %1"), {readablePathFormats()}})
       ->required();
   convert
-      .option("OUT", options.output, "What to write: a scenario (.json); or a path: " + toString(writablePathFormats()))
+      .option("OUT", options.output,
+              {GLISSADE_TEXT("What to write: a scenario (.json); or a path: %1"), {writablePathFormats()}})
       ->required();
   convert.option("--scenario", options.scenario,
                  GLISSADE_TEXT("Scenario of the path, for formats that hold its clearances or bodies"));
   return convert;
 }
 
-Command addNew(const Command& app, NewOptions& options) {
-  const Command make = app.subcommand(
+ParsedCommand addNew(const ParsedCommand& app, NewOptions& options) {
+  const ParsedCommand make = app.subcommand(
       "new", GLISSADE_TEXT("Make a scenario of part files (meshes, STEP, IGES, BREP, URDF), of which one moves"));
-  make->footer(
+  make.app().footer(make.text(GLISSADE_TEXT(
       "A part of a STEP file is named behind its file: --moves product.step:pin --static product.step makes a body\n"
       "of every other part. An assembly in the file (product.step:pump) stands for all of its parts; two parts of\n"
       "one name are pin and pin#2. A solid of a part of several (product.step:frame/solid#2) opens the part: each of\n"
       "its solids is a body. #3 is the third part that 'info' lists. A group of an OBJ file is named in the same way: "
       "--moves product.obj:lid --groups\n"
-      "--static product.obj makes a body of every other group.");
+      "--static product.obj makes a body of every other group.")));
   make.option("OUT", options.output, GLISSADE_TEXT("Scenario file to write"))->required();
   make.option("--moves", options.moving, GLISSADE_TEXT("The part that moves (can be repeated: they move as one)"))
       ->required()
@@ -413,9 +408,8 @@ Command addNew(const Command& app, NewOptions& options) {
       ->check(CLI::IsMember(axes));
   make.length(
       "--deflection",
-      [&options](double deflection) {
-        if (!limits::isSize(deflection))
-          throw CLI::ValidationError("--deflection", GLISSADE_TEXT("is not from 1e-12 m to 1e9 m"));
+      [&options, make](double deflection) {
+        checkDeflection(deflection, make);
         options.deflection = deflection;
       },
       GLISSADE_TEXT(
@@ -424,14 +418,14 @@ Command addNew(const Command& app, NewOptions& options) {
   make.flag("--groups", options.groups, GLISSADE_TEXT("Take each group of an OBJ file (o or g) as a part of its own"));
   make.flag("--close-holes", options.closeHoles, GLISSADE_TEXT("Close the planar holes of meshes, and print how many"));
   addWithout(make, options.without);
-  addFitOptions(make, options.fits, GLISSADE_TEXT("on"));
+  addFitOptions(make, options.fits, Message("on"));
   make.flag("--clear", options.clear,
             GLISSADE_TEXT("Move the start clear of the bodies that it touches, and print how far"));
   return make;
 }
 
-Command addStudy(const Command& app, StudyOptions& options) {
-  const Command study =
+ParsedCommand addStudy(const ParsedCommand& app, StudyOptions& options) {
+  const ParsedCommand study =
       app.subcommand("study", GLISSADE_TEXT("Repeat runs over scenarios, strategies, parameters and seeds"));
   study.option("STUDY", options.study, GLISSADE_TEXT("Study file (samples/studies)"))->required();
   study.option("--out", options.out, GLISSADE_TEXT("Folder of the results; a study that was begun there is continued"))
@@ -446,16 +440,16 @@ Command addStudy(const Command& app, StudyOptions& options) {
   return study;
 }
 
-Command addMerge(const Command& app, MergeOptions& options) {
-  const Command merge = app.subcommand(
+ParsedCommand addMerge(const ParsedCommand& app, MergeOptions& options) {
+  const ParsedCommand merge = app.subcommand(
       "merge", GLISSADE_TEXT("Combine the results of the parts of a study (--shard) and write its tables"));
   merge.option("DIR", options.folders, GLISSADE_TEXT("Folders of results"))->required();
   merge.option("--out", options.out, GLISSADE_TEXT("Folder of the combined results"))->required();
   return merge;
 }
 
-Command addReport(const Command& app, ReportOptions& options) {
-  const Command report =
+ParsedCommand addReport(const ParsedCommand& app, ReportOptions& options) {
+  const ParsedCommand report =
       app.subcommand("report", GLISSADE_TEXT("Write the report of a study: tables, plots, findings, one HTML page"));
   report.option("DIR", options.folder, GLISSADE_TEXT("Folder of results"))->required();
   report.option("--out", options.out, GLISSADE_TEXT("Folder of report.html (default: DIR)"));
@@ -465,15 +459,15 @@ Command addReport(const Command& app, ReportOptions& options) {
   return report;
 }
 
-Command addBenchmarkPage(const Command& app, std::string& folder) {
-  const Command page =
+ParsedCommand addBenchmarkPage(const ParsedCommand& app, BenchmarkPageOptions& options) {
+  const ParsedCommand page =
       app.subcommand("benchmark-page", GLISSADE_TEXT("Write the page of results of packaging/benchmarks.sh"));
-  page.option("DIR", folder, GLISSADE_TEXT("Folder of results"))->required();
+  page.option("DIR", options.folder, GLISSADE_TEXT("Folder of results"))->required();
   return page;
 }
 
-Command addReplay(const Command& app, ReplayOptions& options) {
-  const Command replay =
+ParsedCommand addReplay(const ParsedCommand& app, ReplayOptions& options) {
+  const ParsedCommand replay =
       app.subcommand("replay", GLISSADE_TEXT("Run a recorded run again and compare the roadmaps bit by bit"));
   replay.option("RECORD", options.record, GLISSADE_TEXT("Run record, or the journal of a run that was interrupted"))
       ->required();
@@ -483,74 +477,83 @@ Command addReplay(const Command& app, ReplayOptions& options) {
   return replay;
 }
 
-int run(int argc, char** argv) {
-  CLI::App app{"Glissade: certified motions for virtual assembly"};
-  app.set_version_flag("--version", "glissade-cli " + versionText());
-  app.require_subcommand(1);
-  PlanOptions plan;
-  CheckOptions check;
-  SmoothOptions smooth;
-  SweepOptions sweep;
-  ReplayOptions replay;
-  InfoOptions info;
-  FitsOptions fits;
-  JointsOptions joints;
-  SequenceOptions sequence;
-  TimesOptions times;
-  AccessOptions access;
-  ConvertOptions convert;
-  NewOptions fresh;
-  StudyOptions study;
-  MergeOptions merge;
-  ReportOptions report;
-  std::string benchmarks;
-  const CLI::App* planCommand = addPlan(app, plan);
-  const CLI::App* replayCommand = addReplay(app, replay);
-  const CLI::App* checkCommand = addCheck(app, check);
-  const CLI::App* smoothCommand = addSmooth(app, smooth);
-  const CLI::App* sweepCommand = addSweep(app, sweep);
-  const CLI::App* infoCommand = addInfo(app, info);
-  const CLI::App* fitsCommand = addFits(app, fits);
-  const CLI::App* jointsCommand = addJoints(app, joints);
-  const CLI::App* sequenceCommand = addSequence(app, sequence);
-  const CLI::App* timesCommand = addTimes(app, times);
-  const CLI::App* accessCommand = addAccess(app, access);
-  const CLI::App* studyCommand = addStudy(app, study);
-  const CLI::App* mergeCommand = addMerge(app, merge);
-  const CLI::App* reportCommand = addReport(app, report);
-  const CLI::App* benchmarkCommand = addBenchmarkPage(app, benchmarks);
-  addConvert(app, convert);
-  const CLI::App* newCommand = addNew(app, fresh);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : exitCode(ErrorKind::Usage);
+/// A command with its options, and what it does.
+struct RunnableCommand {
+  ParsedCommand command;
+  std::function<int(Language)> run;
+};
+
+template <class Options>
+RunnableCommand runnable(const ParsedCommand& app, ParsedCommand (*add)(const ParsedCommand&, Options&),
+                         int (*run)(const Options&)) {
+  const auto options = std::make_shared<Options>();
+  return {add(app, *options), [options, run](Language language) {
+            options->console.language = language;
+            return run(*options);
+          }};
+}
+
+std::vector<RunnableCommand> addCommands(const ParsedCommand& app) {
+  return {runnable(app, addPlan, runPlan),
+          runnable(app, addReplay, runReplay),
+          runnable(app, addCheck, runCheck),
+          runnable(app, addSmooth, runSmooth),
+          runnable(app, addSweep, runSweep),
+          runnable(app, addInfo, runInfo),
+          runnable(app, addFits, runFits),
+          runnable(app, addJoints, runJoints),
+          runnable(app, addSequence, runSequence),
+          runnable(app, addTimes, runTimes),
+          runnable(app, addAccess, runAccess),
+          runnable(app, addStudy, runStudyCommand),
+          runnable(app, addMerge, runMerge),
+          runnable(app, addReport, runReport),
+          runnable(app, addBenchmarkPage, runBenchmarkPage),
+          runnable(app, addConvert, runConvert),
+          runnable(app, addNew, runNew)};
+}
+
+/// The language that the arguments ask for, before they are parsed, so that the help is in it.
+Language languageOfHelp(int argc, char** argv) {
+  const std::string option = "--language";
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == option && i + 1 < argc) return languageOf(argv[i + 1]).value_or(Language::English);
+    if (word.rfind(option + "=", 0) == 0) {
+      return languageOf(word.substr(option.size() + 1)).value_or(Language::English);
+    }
   }
-  if (planCommand->parsed()) return runPlan(plan);
-  if (replayCommand->parsed()) return runReplay(replay);
-  if (checkCommand->parsed()) return runCheck(check);
-  if (smoothCommand->parsed()) return runSmooth(smooth);
-  if (sweepCommand->parsed()) return runSweep(sweep);
-  if (infoCommand->parsed()) return runInfo(info);
-  if (fitsCommand->parsed()) return runFits(fits);
-  if (jointsCommand->parsed()) return runJoints(joints);
-  if (sequenceCommand->parsed()) return runSequence(sequence);
-  if (timesCommand->parsed()) return runTimes(times);
-  if (accessCommand->parsed()) return runAccess(access);
-  if (studyCommand->parsed()) return runStudyCommand(study);
-  if (mergeCommand->parsed()) return runMerge(merge);
-  if (reportCommand->parsed()) return runReport(report);
-  if (benchmarkCommand->parsed()) return runBenchmarkPage(benchmarks);
-  if (newCommand->parsed()) return runNew(fresh);
-  return runConvert(convert);
+  return Language::English;
+}
+
+int run(int argc, char** argv, Console& console) {
+  CLI::App parser;
+  console.language = languageOfHelp(argc, argv);
+  const ParsedCommand app = commandLine(parser, console.language, "glissade-cli " + versionText());
+  std::string language = "en";
+  app.option("--language", language, GLISSADE_TEXT("Language of messages and texts, also behind a command"))
+      ->check(CLI::IsMember({"en", "fr"}))
+      ->capture_default_str();
+  const std::vector<RunnableCommand> commands = addCommands(app);
+  try {
+    parser.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return parser.exit(error) == 0 ? 0 : exitCode(ErrorKind::Usage);
+  }
+  console.language = *languageOf(language);
+  const auto chosen = std::find_if(commands.begin(), commands.end(),
+                                   [](const RunnableCommand& each) { return each.command.app().parsed(); });
+  return chosen->run(console.language);
 }
 
 /// Why standard output could not be written, or nothing. A closed pipe, as of head, is no error.
 std::optional<Diagnostic> unwritten(PrintableOutput& output) {
   const int error = output.flush();
   if (error == 0 || error == EPIPE) return std::nullopt;
-  return Diagnostic{ErrorKind::Unwritable, "standard output", "",
-                    std::string("cannot be written: ") + std::strerror(error),
+  return Diagnostic{ErrorKind::Unwritable,
+                    "",
+                    GLISSADE_TEXT("standard output"),
+                    {GLISSADE_TEXT("cannot be written: %1"), {std::strerror(error)}},
                     GLISSADE_TEXT("Send it to another file.")};
 }
 
@@ -561,10 +564,11 @@ int main(int argc, char** argv) {
   signal(SIGXFSZ, SIG_IGN);
   PrintableOutput output(std::cout);
   const PrintableOutput errors(std::cerr);
+  Console console;
   int status = 0;
-  auto why = glissade::guarded(GLISSADE_TEXT("running the command"), [&] { status = run(argc, argv); });
+  auto why = glissade::guarded(GLISSADE_TEXT("running the command"), [&] { status = run(argc, argv, console); });
   if (!why && status == 0) why = unwritten(output);
   if (!why) return status;
-  std::cerr << "glissade-cli: " << glissade::toString(*why) << "\n";
+  noteError(*why, console);
   return glissade::exitCode(why->kind);
 }

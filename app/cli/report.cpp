@@ -99,13 +99,24 @@ Message violatedInWords(const MotionCertificate& certificate, const Message& bod
            millimetres(certificate.tolerance)}};
 }
 
-CatalogueText inWords(CertificateStatus status) {
+/// The text of an edge: %1 its number, %2 its clearance.
+CatalogueText edgeText(CertificateStatus status) {
   switch (status) {
-    case CertificateStatus::Certified: return GLISSADE_TEXT("certified");
-    case CertificateStatus::Violated: return GLISSADE_TEXT("violated");
+    case CertificateStatus::Certified: return GLISSADE_TEXT("  edge %1: certified, %2");
+    case CertificateStatus::Violated: return GLISSADE_TEXT("  edge %1: violated, %2");
     case CertificateStatus::Undecided: break;
   }
-  return GLISSADE_TEXT("undecided");
+  return GLISSADE_TEXT("  edge %1: undecided, %2");
+}
+
+Message clearanceInWords(const EdgeCertificate& edge, const CollisionWorld& world) {
+  Message clearance{GLISSADE_TEXT("clearance %1 to %2 mm"),
+                    {millimetres(edge.provedClearance), millimetres(edge.minClearance)}};
+  if (edge.nearest.body >= 0) {
+    clearance = {GLISSADE_TEXT("%1 to '%2' at %3"), {clearance, bodyName(world, edge.nearest.body), rounded(edge.at)}};
+  }
+  return {edge.demand.sliding ? GLISSADE_TEXT("%1 (required %2 mm, sliding)") : GLISSADE_TEXT("%1 (required %2 mm)"),
+          {clearance, millimetres(edge.demand.clearance)}};
 }
 
 }  // namespace
@@ -148,15 +159,7 @@ std::vector<Message> uncertaintiesInWords(const LoadedScenario& scenario, const 
 void printEdges(const MotionCertificate& certificate, const CollisionWorld& world, const Console& console) {
   for (std::size_t i = 0; i < certificate.edges.size(); ++i) {
     const EdgeCertificate& edge = certificate.edges[i];
-    Message clearance{GLISSADE_TEXT("clearance %1 to %2 mm"),
-                      {millimetres(edge.provedClearance), millimetres(edge.minClearance)}};
-    if (edge.nearest.body >= 0) {
-      clearance = {GLISSADE_TEXT("%1 to '%2' at %3"),
-                   {clearance, bodyName(world, edge.nearest.body), rounded(edge.at)}};
-    }
-    console.print({edge.demand.sliding ? GLISSADE_TEXT("  edge %1: %2, %3 (required %4 mm, sliding)")
-                                       : GLISSADE_TEXT("  edge %1: %2, %3 (required %4 mm)"),
-                   {i, inWords(edge.status), clearance, millimetres(edge.demand.clearance)}});
+    console.print({edgeText(edge.status), {i, clearanceInWords(edge, world)}});
   }
 }
 

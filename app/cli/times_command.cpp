@@ -1,7 +1,5 @@
 #include "app/cli/commands.h"
 
-#include <algorithm>
-#include <array>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -24,33 +22,14 @@ const AssemblyStep& stepOf(const AssemblyPlan& plan, std::size_t task) {
   return plan.steps[plan.steps.size() - 1 - task];
 }
 
-/// Prints the times of each step. Numbers are below the ends of the titles.
 void printTable(const PlanTiming& timing, const AssemblyPlan& plan, const AssembledProduct& product,
                 const Console& console) {
-  struct Column {
-    CatalogueText title;
-    std::size_t width;  ///< at least
-  };
-  constexpr std::array<Column, 7> kColumns{{{GLISSADE_TEXT("step"), 4},
-                                            {GLISSADE_TEXT("seconds"), 9},
-                                            {GLISSADE_TEXT("fetch"), 8},
-                                            {GLISSADE_TEXT("place"), 8},
-                                            {GLISSADE_TEXT("turn"), 8},
-                                            {GLISSADE_TEXT("tool"), 8},
-                                            {GLISSADE_TEXT("hold"), 8}}};
-  std::array<std::size_t, kColumns.size()> widths{};
-  for (std::size_t i = 0; i < kColumns.size(); ++i) {
-    const std::string title = console.text(kColumns[i].title);
-    widths[i] = std::max(kColumns[i].width, widthOf(title) + (i == 0 ? 0 : 2));
-    std::cout << toRight(title, widths[i]);
-  }
-  std::cout << "  " << console.text(GLISSADE_TEXT("parts")) << "\n";
+  console.print(GLISSADE_TEXT("step  seconds   fetch   place    turn    tool    hold  parts"));
   for (std::size_t i = 0; i < timing.times.size(); ++i) {
     const StepTime& time = timing.times[i];
-    std::cout << toRight(std::to_string(i + 1), widths[0]);
-    std::size_t column = 0;
-    for (const double part : {time.total(), time.fetch, time.place, time.turn, time.tool, time.hold}) {
-      std::cout << toRight(fixedDigits(part, 1), widths[++column]);
+    std::cout << toRight(std::to_string(i + 1), 4) << toRight(fixedDigits(time.total(), 1), 9);
+    for (const double part : {time.fetch, time.place, time.turn, time.tool, time.hold}) {
+      std::cout << toRight(fixedDigits(part, 1), 8);
     }
     std::cout << "  " << nameOfStep(stepOf(plan, i), product) << "\n";
   }

@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+
 namespace glissade {
 
 Result<std::vector<ScriptLine>> parseScript(const std::string& text, const std::string& file,

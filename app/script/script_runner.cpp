@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QEvent>
 
+
 namespace glissade {
 
 namespace {

@@ -246,7 +246,7 @@ int tell(int argc, char** argv) {
   QCommandLineParser parser;
   addOptions(parser);
   if (!parser.parse(QCoreApplication::arguments())) {
-    return failUsage("", parser.errorText().toStdString(), GLISSADE_TEXT("See glissade --help."));
+    return failUsage("", Message(parser.errorText().toStdString()), GLISSADE_TEXT("See glissade --help."));
   }
   if (parser.isSet("help")) {
     std::cout << parser.helpText().toStdString();
@@ -279,7 +279,7 @@ int runApplication(int argc, char** argv, const SceneWidgetFactory& makeScene, S
   QCommandLineParser parser;
   addOptions(parser);
   if (!parser.parse(QApplication::arguments())) {
-    return failUsage("", parser.errorText().toStdString(), GLISSADE_TEXT("See glissade --help."));
+    return failUsage("", Message(parser.errorText().toStdString()), GLISSADE_TEXT("See glissade --help."));
   }
   const auto size = parseSize(parser.value("size"));
   if (!size)
@@ -290,10 +290,10 @@ int runApplication(int argc, char** argv, const SceneWidgetFactory& makeScene, S
   }
   if (const auto why = tooManyFiles(parser)) return fail(*why);
   const QString theme = parser.value("theme");
-  if (theme != "light" && theme != "dark") return failUsage("--theme", GLISSADE_TEXT("is neither light nor dark"), "");
+  if (theme != "light" && theme != "dark") return failUsage("--theme", GLISSADE_TEXT("is neither light nor dark"), {});
   const QString asked = parser.value("language");
   if (parser.isSet("language") && asked != "en" && asked != "fr") {
-    return failUsage("--language", GLISSADE_TEXT("is neither en nor fr"), "");
+    return failUsage("--language", GLISSADE_TEXT("is neither en nor fr"), {});
   }
   const Preferences preferences = isBatch(parser) ? Preferences{"en"} : WindowMemory().preferences();
   const QString language = languageOf(asked, preferences, QLocale::system().name().section(QLatin1Char('_'), 0, 0));

@@ -96,7 +96,7 @@ Outcome define(SemanticDocument& document, const std::string& name, const std::s
   const auto known = kAttributeTypeNames.find(type);
   if (!known) return wrongCommand("there is no type '" + type + "'");
   definition.name = name;
-  definition.label = name;
+  definition.label = Message(name);
   definition.type = *known;
   definition.owner = kAttributeOwnerNames.find(owner).value_or(AttributeOwner::Place);
   definition.initial = initialValue(definition);

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+
 namespace glissade {
 namespace {
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <system_error>
 
+
 namespace glissade {
 namespace {
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+
 namespace glissade {
 namespace {
 

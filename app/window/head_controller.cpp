@@ -105,11 +105,12 @@ void HeadController::setOn(bool on) {
 bool HeadController::listen() {
   if (bench_.session.clock() == SessionClock::Lockstep) return true;
   if (!receiver_.open(preferences_.port, preferences_.fromAnywhere)) {
-    bench_.messages.showError(
-        tr("The head cannot be tracked"),
-        {ErrorKind::MalformedInput, "", {GLISSADE_TEXT("UDP port %1"), {preferences_.port}},
-         tr(GLISSADE_TEXT("cannot be used: %1")).arg(receiver_.trouble()).toStdString(),
-         tr(GLISSADE_TEXT("Choose another port, and set it in the tracker, too.")).toStdString()});
+    bench_.messages.showError(tr("The head cannot be tracked"),
+                              {ErrorKind::MalformedInput,
+                               "",
+                               {GLISSADE_TEXT("UDP port %1"), {preferences_.port}},
+                               {GLISSADE_TEXT("cannot be used: %1"), {receiver_.trouble().toStdString()}},
+                               GLISSADE_TEXT("Choose another port, and set it in the tracker, too.")});
     return false;
   }
   silence_.start();

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/check/motion_bodies.h"
 #include "engine/check/motion_check.h"
 #include "engine/check/pair_fit.h"

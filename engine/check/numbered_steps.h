@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/check/plan_demands.h"
 
 namespace glissade::check {

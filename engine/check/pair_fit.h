@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/check/evidence.h"
 #include "engine/check/named_screw.h"
 #include "engine/check/path.h"

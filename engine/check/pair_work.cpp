@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+
 namespace glissade::check {
 namespace {
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/check/pair_fit.h"
 
 namespace glissade::check {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/check/condition.h"
 #include "engine/check/plan.h"
 

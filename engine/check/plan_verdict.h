@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/base/work_watch.h"
 #include "engine/check/condition.h"
 #include "engine/check/motion_setup.h"

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/check/numbered_steps.h"
 #include "engine/check/placed_bodies.h"
 #include "engine/check/plan_verdict.h"

@@ -3,6 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "engine/base/message.h"
 #include "engine/check/path_verdict.h"
 #include "engine/check/plan_verdict.h"
 

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/environment/free_space.h"
 #include "engine/environment/passages.h"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/base/message.h"
 #include "engine/import/import_protocol.h"
 #include "engine/import/step_note.h"
 

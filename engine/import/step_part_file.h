@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "engine/base/message.h"
+
 namespace glissade {
 
 /// The result of a search for a file that a STEP file names for a part.

@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "engine/base/message.h"
 #include "engine/import/step_stand_ins.h"
 #include "engine/import/step_stated_shapes.h"
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/import/step_entities.h"
 #include "engine/import/step_note.h"
 #include "engine/import/step_shape_kinds.h"

@@ -63,7 +63,7 @@ Diagnostic cannotLoad(int error) {
           "",
           "",
           {GLISSADE_TEXT("the filter of system calls cannot be loaded: %1"), {std::strerror(-error)}},
-          ""};
+          {}};
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/base/parameters.h"
 #include "engine/base/stop_token.h"
 #include "engine/planning/operator_sample.h"

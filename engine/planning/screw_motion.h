@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/base/stop_token.h"
 #include "engine/collision/collision_query.h"
 #include "engine/planning/path.h"

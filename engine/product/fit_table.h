@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/base/thread_team.h"
 #include "engine/product/object_fits.h"
 

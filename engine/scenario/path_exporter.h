@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/base/file_save.h"
+#include "engine/base/message.h"
 #include "engine/planning/path.h"
 #include "engine/scenario/scenario.h"
 

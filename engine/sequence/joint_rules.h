@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/product/joint.h"
 #include "engine/sequence/body_group.h"
 #include "engine/sequence/fastener_kind.h"

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/base/thread_team.h"
 #include "engine/sequence/assembly_plan.h"
 #include "engine/sequence/joint_rules.h"

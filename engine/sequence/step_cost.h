@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/planning/coarse/expression.h"
 #include "engine/sequence/order_rules.h"
 

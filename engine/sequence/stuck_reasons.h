@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/sequence/sequence_strategy.h"
 
 namespace glissade {

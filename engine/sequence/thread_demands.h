@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/product/judged_threads.h"
 #include "engine/product/product_shapes.h"
 #include "engine/sequence/order_rules.h"

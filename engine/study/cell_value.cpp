@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+
 namespace glissade {
 namespace {
 

@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "engine/base/message.h"
 #include "engine/sequence/assembly_plan.h"
 #include "engine/sequence/body_group.h"
 #include "engine/sequence/plan_bodies.h"

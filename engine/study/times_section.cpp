@@ -3,6 +3,7 @@
 #include <iomanip>
 #include <sstream>
 
+
 namespace glissade {
 namespace {
 

@@ -383,6 +383,23 @@ TEST_F(Cli, WrongUsage) {
   EXPECT_EQ(run("--version").exitCode, 0);
 }
 
+TEST_F(Cli, SpeaksTheLanguageThatIsAskedFor) {
+  const std::string file = scenario([](Json&) {});
+  const std::string english = run("info " + file).out;
+  EXPECT_NE(english.find("\nseed       "), std::string::npos) << english;
+  EXPECT_EQ(run("info " + file + " --language en").out, english);
+  const std::string french = run("info " + file + " --language fr").out;
+  EXPECT_NE(french.find("\ngraine         "), std::string::npos) << french;
+  EXPECT_EQ(run("--language fr info " + file).out, french);
+  EXPECT_EQ(run("info --language=fr " + file).out, french);
+  EXPECT_EQ(run("info " + file + " --json --language fr").out, run("info " + file + " --json").out);
+
+  const std::string wrong = run("plan " + file + " --language fr --strategy warp").err;
+  EXPECT_NE(wrong.find("il n'y a pas de stratégie «\u00a0warp\u00a0»"), std::string::npos) << wrong;
+  EXPECT_NE(run("plan --help --language fr").out.find("Fichier de scénario"), std::string::npos);
+  EXPECT_EQ(run("info " + file + " --language de").exitCode, 2);
+}
+
 TEST_F(Cli, AnInteractiveRunReplaysBitByBit) {
   const std::string record = (folder / "run.json").string();
   const std::string first = (folder / "first.path").string();

@@ -30,6 +30,8 @@ expect "--alpha" glissade-cli plan --al
 expect "--contact-samples --contact-distance --contact-radius --contact-gap" glissade-cli plan --contact-
 expect "gts1 gts2 gts" glissade-cli plan --strategy gts
 expect "on off" glissade-cli plan --fits ""
+expect "--language" glissade-cli plan --lang
+expect "en fr" glissade-cli plan --language ""
 expect "--required-clearance" glissade --req
 expect "dark" glissade --theme d
 expect "side-by-side" glissade --stereo s

@@ -16,6 +16,7 @@
 #include <random>
 #include <stdexcept>
 
+
 namespace glissade::oracle {
 
 struct OverlapCase::Solids {

@@ -3,6 +3,7 @@
 #include <exception>
 #include <utility>
 
+
 namespace glissade {
 
 JournalWriter::JournalWriter(RunRecord head, std::string folder)

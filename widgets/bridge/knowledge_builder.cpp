@@ -1,5 +1,6 @@
 #include "widgets/bridge/knowledge_builder.h"
 
+
 namespace glissade {
 
 void KnowledgeBuilder::build(const Problem& problem, double requiredClearance, const SceneKnowledgePtr& before,

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+
 namespace glissade {
 
 ArrangementQueue::ArrangementQueue(Basis basis, MakeLoad makeLoad, QObject* parent)

@@ -217,7 +217,7 @@ Outcome SemanticDocument::renameDefinition(AttributeOwner owner, const std::stri
   for (AttributeDefinition& definition : after.definitions) {
     if (definition.owner != owner || definition.name != from) continue;
     definition.name = to;
-    definition.label = to;
+    definition.label = Message(to);
   }
   const Outcome sound = checkDefinitions(after, from);
   if (!sound) return sound;

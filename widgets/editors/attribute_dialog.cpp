@@ -20,7 +20,11 @@ Outcome readNumber(const QLineEdit& line, double& number) {
   if (text.empty()) return Done{};
   const auto read = toNumber(text);
   if (!read)
-    return Diagnostic{ErrorKind::Usage, "", "", "'" + text + "' is not a number", GLISSADE_TEXT("Write it like 0.25.")};
+    return Diagnostic{ErrorKind::Usage,
+                      "",
+                      "",
+                      {GLISSADE_TEXT("'%1' is not a number"), {text}},
+                      GLISSADE_TEXT("Write it like 0.25.")};
   number = *read;
   return Done{};
 }
@@ -104,10 +108,10 @@ void AttributeDialog::accept() {
 Result<AttributeDefinition> AttributeDialog::definition() const {
   AttributeDefinition definition;
   definition.name = textOf(*name_);
-  definition.label = definition.name;
+  definition.label = Message(definition.name);
   definition.type = type();
   definition.owner = static_cast<AttributeOwner>(owner_->currentData().toInt());
-  definition.description = textOf(*description_);
+  definition.description = Message(textOf(*description_));
   if (isNumber(type())) {
     definition.unit = textOf(*unit_);
     for (const Outcome& read : {readNumber(*minimum_, definition.minimum), readNumber(*maximum_, definition.maximum)}) {

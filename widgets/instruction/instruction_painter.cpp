@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+
 namespace glissade {
 namespace {
 

@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <QVBoxLayout>
 
+
 namespace glissade {
 namespace {
 

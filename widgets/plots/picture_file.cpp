@@ -3,6 +3,7 @@
 #include <QBuffer>
 #include <QFileInfo>
 
+
 namespace glissade {
 
 SaveResult savePicture(const QImage& picture, const QString& file, const char* format) {

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/sequence/work_times.h"
 
 namespace glissade {
@@ -60,7 +61,7 @@ class WorkTimesEditor final : public QWidget {
   QPushButton* addButton(const char* id, const QString& text, const QString& tip);
   void makeButtons();
   void take(std::size_t row, const QString& text);
-  void refuse(const WorkTimeRow& row, const QString& text, const std::string& reason);
+  void refuse(const WorkTimeRow& row, const QString& text, const Message& reason);
   void reset();
   void enableButtons();
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "engine/base/message.h"
 #include "engine/import/formats/mesh_content.h"
 
 namespace glissade {

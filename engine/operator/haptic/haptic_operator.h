@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "engine/base/message.h"
 #include "engine/operator/device_registry.h"
 #include "engine/operator/haptic/haptic_loop.h"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+
 namespace glissade {
 namespace {
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/planning/coarse/strategy_rules.h"
 #include "engine/planning/path.h"
 #include "engine/planning/sampling_region.h"

@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+
 namespace glissade {
 namespace {
 

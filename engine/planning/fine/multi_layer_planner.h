@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "engine/base/message.h"
 #include "engine/planning/coarse/coarse_plan_report.h"
 #include "engine/planning/coarse/coarse_planning.h"
 #include "engine/planning/contact/interaction_report.h"

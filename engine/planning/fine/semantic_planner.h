@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/message.h"
 #include "engine/planning/coarse/scene_knowledge.h"
 #include "engine/planning/coarse/topological_planner.h"
 

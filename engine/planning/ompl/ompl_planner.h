@@ -3,6 +3,7 @@
 #include <memory>
 #include <string_view>
 
+#include "engine/base/message.h"
 #include "engine/planning/planner.h"
 
 namespace glissade {

@@ -278,8 +278,8 @@ class Writer {
     }
     const std::vector<StudyFolder> studies = studyFolders();
     if (runs_.empty() && studies.empty()) {
-      return Diagnostic{ErrorKind::MalformedInput, folder_, "", "holds no results of benchmarks",
-                        "Run packaging/benchmarks.sh, and give the folder that it filled."};
+      return Diagnostic{ErrorKind::MalformedInput, folder_, "", GLISSADE_TEXT("holds no results of benchmarks"),
+                        GLISSADE_TEXT("Run packaging/benchmarks.sh, and give the folder that it filled.")};
     }
     addOrigin();
     addCollision();

@@ -34,7 +34,7 @@ std::string joined(const std::vector<std::string>& parts, std::size_t first, std
 double secondsIn(const JsonCursor& unit) {
   const std::map<std::string, double> units{{"ns", 1e-9}, {"us", 1e-6}, {"ms", 1e-3}, {"s", 1.0}};
   const auto found = units.find(unit.text());
-  if (found == units.end()) unit.fail("is not ns, us, ms or s");
+  if (found == units.end()) unit.fail(GLISSADE_TEXT("is not ns, us, ms or s"));
   return found->second;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/message.h"
 #include "engine/study/instruction/instruction_layout.h"
 
 namespace glissade {

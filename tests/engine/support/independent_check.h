@@ -6,6 +6,7 @@
 #include <tuple>
 #include <vector>
 
+#include "engine/base/message.h"
 #include "engine/check/motion_check.h"
 #include "engine/check/thinning.h"
 #include "engine/collision/motion_certificate.h"

@@ -1,4 +1,4 @@
-#include "app/cli/command.h"
+#include "app/cli/parsed_command.h"
 
 #include <CLI/CLI.hpp>
 
@@ -25,20 +25,20 @@ double metres(const std::string& text, Language language) {
 
 }  // namespace
 
-Command Command::subcommand(const std::string& name, const Message& help) const {
+ParsedCommand ParsedCommand::subcommand(const std::string& name, const Message& help) const {
   CLI::App* command = app_->add_subcommand(name, text(help));
   command->group(text(GLISSADE_TEXT("Subcommands")));
   return {*command, language_};
 }
 
-CLI::Option* Command::length(const std::string& name, const std::function<void(double)>& take,
-                             const Message& help) const {
+CLI::Option* ParsedCommand::length(const std::string& name, const std::function<void(double)>& take,
+                                   const Message& help) const {
   return optionFor<std::string>(
       name, [take, language = language_](const std::string& text) { take(metres(text, language)); }, help);
 }
 
-Command commandLine(CLI::App& app, Language language, const std::string& version) {
-  Command command(app, language);
+ParsedCommand commandLine(CLI::App& app, Language language, const std::string& version) {
+  ParsedCommand command(app, language);
   app.description(command.text(GLISSADE_TEXT("Glissade: certified motions for virtual assembly")));
   const auto formatter = app.get_formatter();
   formatter->label("Usage", command.text(GLISSADE_TEXT("Usage")));

@@ -9,14 +9,14 @@
 namespace glissade::cli {
 
 /// A command of the command line. Its help is in a language.
-class Command {
+class ParsedCommand {
  public:
-  Command(CLI::App& app, Language language) : app_(&app), language_(language) {}
+  ParsedCommand(CLI::App& app, Language language) : app_(&app), language_(language) {}
 
   CLI::App& app() const { return *app_; }
   std::string text(const Message& message) const { return toString(message, language_); }
 
-  Command subcommand(const std::string& name, const Message& help) const;
+  ParsedCommand subcommand(const std::string& name, const Message& help) const;
 
   template <class T>
   CLI::Option* option(const std::string& name, T& value, const Message& help) const {
@@ -39,6 +39,6 @@ class Command {
 };
 
 /// The command line itself: its help, its version and the words of the help are in the language.
-Command commandLine(CLI::App& app, Language language, const std::string& version);
+ParsedCommand commandLine(CLI::App& app, Language language, const std::string& version);
 
 }  // namespace glissade::cli
