@@ -89,7 +89,7 @@ void WorkController::endOther(const QObject& owner) {
 
 void WorkController::begin(const Job& job) {
   reportedFailure_.clear();
-  task_.start(inSentence(job.what), job.work, atOnce_);
+  task_.start(Message(inSentence(job.what)), job.work, atOnce_);
   if (!task_.isBusy()) return;
   toTheEnd_ = job.toTheEnd;
   pathWork_ = false;
