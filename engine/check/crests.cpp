@@ -167,7 +167,7 @@ std::vector<double> heightsOfGrooves(double radius, const RoundFace& face, const
     const Vector3 arm = vertex - face.point;
     const double height = arm.dot(face.axis);
     const double square = arm.squaredNorm() - height * height;
-    const double least = radius - 2.0 * offOf(radius);
+    const double least = radius - 2.0 * vertexTolerance(radius);
     if (square < least * least && square > kDeepest * kDeepest * radius * radius) heights.push_back(height);
   }
   std::sort(heights.begin(), heights.end());
@@ -202,7 +202,7 @@ TriangleMesh atRadius(double radius, const RoundFace& face, const TriangleMesh& 
     const Vector3 arm = vertex - face.point;
     const double height = arm.dot(face.axis);
     const double distance = std::sqrt(std::max(0.0, arm.squaredNorm() - height * height));
-    if (std::abs(distance - radius) <= offOf(radius)) found.vertices.push_back(vertex);
+    if (std::abs(distance - radius) <= vertexTolerance(radius)) found.vertices.push_back(vertex);
   }
   return found;
 }
@@ -243,8 +243,6 @@ std::vector<Around> aroundOf(const TriangleMesh& mesh, const Vector3& point, con
   }
   return vertices;
 }
-
-double offOf(double radius) { return std::max(kOnCylinder, kShareOfCylinderRadius * radius); }
 
 bool areAround(const std::vector<Around>& vertices) {
   std::vector<double> angles;

@@ -50,7 +50,7 @@ std::optional<RoundFace> roundThrough(const std::vector<Vector3>& points, const 
   const double squared = found.z() + 0.25 * found.head<2>().squaredNorm();
   if (!found.allFinite() || !(squared > 0.0)) return std::nullopt;
   RoundFace round{origin + 0.5 * scale * (found.x() * u + found.y() * v), axis, scale * std::sqrt(squared)};
-  const double off = std::max(kOnCylinder, kShareOfCylinderRadius * round.radius);
+  const double off = vertexTolerance(round.radius);
   for (const Vector3& p : points) {
     if (std::abs((p - round.point).cross(axis).norm() - round.radius) > off) return std::nullopt;
     const double along = (p - round.point).dot(axis);
@@ -92,6 +92,11 @@ std::optional<RoundFace> roundFaceOf(const PlacedBody& body, const std::vector<s
 
 }  // namespace
 
+double vertexTolerance(double radius) {
+  constexpr double kShareOfRadius = 1e-3;
+  return std::max(kOnCylinder, kShareOfRadius * radius);
+}
+
 std::vector<RoundFace> roundFacesOf(const PlacedBody& body) {
   std::vector<RoundFace> faces;
   const std::vector<std::uint32_t> surfaceOf = smoothSurfaces(body.regions);
@@ -110,6 +115,21 @@ std::vector<RoundFace> roundFacesOf(const PlacedBody& body) {
     if (round) faces.push_back(*round);
   }
   return faces;
+}
+
+bool isOf(const RoundFace& round, const PlacedBody& body, std::uint32_t triangle) {
+  const Triangle& corners = body.tree.triangles()[triangle];
+  const double off = vertexTolerance(round.radius);
+  const auto isOn = [&](const Vector3& p) {
+    const Vector3 from = p - round.point;
+    const double along = from.dot(round.axis);
+    return along >= round.low - off && along <= round.high + off &&
+           std::abs((from - along * round.axis).norm() - round.radius) <= off;
+  };
+  const Vector3 from = (corners[0] + corners[1] + corners[2]) / 3.0 - round.point;
+  const Vector3 across = from - from.dot(round.axis) * round.axis;
+  const double outwards = body.normals[triangle].dot(across);
+  return std::all_of(corners.begin(), corners.end(), isOn) && (round.isShaft ? outwards > 0.0 : outwards < 0.0);
 }
 
 }  // namespace glissade::check

@@ -11,14 +11,12 @@
 namespace glissade::check {
 namespace {
 
-double vertexTolerance(const RoundFace& round) { return std::max(kOnCylinder, kShareOfCylinderRadius * round.radius); }
-
 /// Divides the triangles of one shaft at one height.
 class RingCut {
  public:
   /// `apart`: metres that the height is apart from all corners of the shaft, at least.
   RingCut(const PlacedBody& body, const RoundFace& shaft, double height, double apart, DividedTriangles& divided)
-      : apart_(std::max(vertexTolerance(shaft), apart)),
+      : apart_(std::max(vertexTolerance(shaft.radius), apart)),
         divided_(divided),
         vertices_(divided.vertices(body.mesh.vertices)) {
     VertexWelder welder(vertices_.size());
@@ -122,7 +120,7 @@ class RingCut {
 };
 
 bool areOfOneCylinder(const RoundFace& one, const RoundFace& other) {
-  const double off = vertexTolerance(one);
+  const double off = vertexTolerance(one.radius);
   return std::abs(one.radius - other.radius) <= off && one.axis.cross(other.axis).norm() <= kParallelAxes &&
          (other.point - one.point).cross(one.axis).norm() <= off;
 }
@@ -152,20 +150,6 @@ std::vector<Vector3> DividedTriangles::vertices(const std::vector<Vector3>& whol
     all.push_back(vertex);
   }
   return all;
-}
-
-bool isOf(const RoundFace& round, const PlacedBody& body, std::uint32_t triangle) {
-  const Triangle& corners = body.tree.triangles()[triangle];
-  const auto isOn = [&](const Vector3& p) {
-    const Vector3 from = p - round.point;
-    const double along = from.dot(round.axis);
-    return std::abs((from - along * round.axis).norm() - round.radius) <= vertexTolerance(round) &&
-           along >= round.low - vertexTolerance(round) && along <= round.high + vertexTolerance(round);
-  };
-  const Vector3 from = (corners[0] + corners[1] + corners[2]) / 3.0 - round.point;
-  const Vector3 across = from - from.dot(round.axis) * round.axis;
-  const double outwards = body.normals[triangle].dot(across);
-  return std::all_of(corners.begin(), corners.end(), isOn) && (round.isShaft ? outwards > 0.0 : outwards < 0.0);
 }
 
 std::vector<Ring> ringsInHoles(const PlacedBody& body, const PlacedBody& other, double beside) {

@@ -31,9 +31,6 @@ struct Ring {
   double high;
 };
 
-/// Whether the triangle of the body lies on the round face.
-bool isOf(const RoundFace& round, const PlacedBody& body, std::uint32_t triangle);
-
 /// The parts of shafts of the body that are in coaxial holes of the other body, with so many metres beside the holes.
 /// Rings that overlap are one.
 std::vector<Ring> ringsInHoles(const PlacedBody& body, const PlacedBody& other, double beside);
