@@ -1,10 +1,11 @@
 #include "engine/check/crests.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <numbers>
+
+#include "engine/geometry/circle_fit.h"
 
 namespace glissade::check {
 namespace {
@@ -141,21 +142,12 @@ std::vector<Vector3> tipsOf(const std::vector<Vector3>& into, const RoundFace& f
   return found;
 }
 
-/// A face about the middle of the circle through points, seen along its axis (I. Kasa, 1976); itself where there is no
-/// such circle.
+/// A face about the middle of the circle through points, seen along its axis; itself where there is no such circle.
 RoundFace aboutMiddleOf(const std::vector<Vector3>& points, RoundFace face) {
-  const Vector3 u = face.axis.unitOrthogonal();
-  const Vector3 v = face.axis.cross(u);
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Vector3 right = Vector3::Zero();
-  for (const Vector3& p : points) {
-    const Vector3 arm = (p - face.point) / face.radius;
-    const Vector3 row(arm.dot(u), arm.dot(v), 1.0);
-    normal += row * row.transpose();
-    right += row * row.head<2>().squaredNorm();
+  if (const auto circle = fitCircle(points, face.axis)) {
+    const Vector3 way = circle->middle - face.point;
+    face.point += way - way.dot(face.axis) * face.axis;
   }
-  const Vector3 found = normal.ldlt().solve(right);
-  if (found.allFinite()) face.point += 0.5 * face.radius * (found.x() * u + found.y() * v);
   return face;
 }
 

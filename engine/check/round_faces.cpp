@@ -1,11 +1,12 @@
 #include "engine/check/round_faces.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "engine/check/placed_body.h"
+#include "engine/geometry/circle_fit.h"
 
 namespace glissade::check {
 namespace {
@@ -31,25 +32,11 @@ std::vector<std::uint32_t> smoothSurfaces(const FaceRegions& regions) {
   return first;
 }
 
-/// The circle through points that are seen along an axis (I. Kasa, 1976).
+/// The cylinder about the axis through the points.
 std::optional<RoundFace> roundThrough(const std::vector<Vector3>& points, const Vector3& axis) {
-  const Vector3 u = axis.unitOrthogonal();
-  const Vector3 v = axis.cross(u);
-  const Vector3& origin = points.front();
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Vector3 right = Vector3::Zero();
-  double scale = 0.0;
-  for (const Vector3& p : points) scale = std::max(scale, (p - origin).norm());
-  if (!(scale > 0.0)) return std::nullopt;
-  for (const Vector3& p : points) {
-    const Vector3 row((p - origin).dot(u) / scale, (p - origin).dot(v) / scale, 1.0);
-    normal += row * row.transpose();
-    right += row * row.head<2>().squaredNorm();
-  }
-  const Vector3 found = normal.ldlt().solve(right);
-  const double squared = found.z() + 0.25 * found.head<2>().squaredNorm();
-  if (!found.allFinite() || !(squared > 0.0)) return std::nullopt;
-  RoundFace round{origin + 0.5 * scale * (found.x() * u + found.y() * v), axis, scale * std::sqrt(squared)};
+  const auto circle = fitCircle(points, axis);
+  if (!circle) return std::nullopt;
+  RoundFace round{circle->middle, axis, circle->radius};
   const double off = vertexTolerance(round.radius);
   for (const Vector3& p : points) {
     if (std::abs((p - round.point).cross(axis).norm() - round.radius) > off) return std::nullopt;
