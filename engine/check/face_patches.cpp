@@ -5,10 +5,11 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <set>
+#include <utility>
 
 #include "engine/geometry/vertex_welder.h"
+#include "engine/geometry/joined_sets.h"
 
 namespace glissade::check {
 namespace {
@@ -127,16 +128,11 @@ class PatchFinder {
 
   /// Gives one number to all regions of a smooth surface.
   void findFamilies() {
-    family_.resize(body_.regions.count);
-    std::iota(family_.begin(), family_.end(), 0U);
-    const auto rootOf = [&](std::uint32_t r) {
-      while (family_[r] != r) r = family_[r] = family_[family_[r]];
-      return r;
-    };
+    JoinedSets families(body_.regions.count);
     for (std::uint32_t r = 0; r < body_.regions.next.size(); ++r) {
-      for (const std::uint32_t next : body_.regions.next[r]) family_[rootOf(r)] = rootOf(next);
+      for (const std::uint32_t next : body_.regions.next[r]) families.join(r, next);
     }
-    for (std::uint32_t r = 0; r < family_.size(); ++r) family_[r] = rootOf(r);
+    family_ = std::move(families).all();
   }
 
   /// True if the other surface is below the triangle, a little above it, or beside it by at most the size of a piece. A
@@ -364,12 +360,7 @@ class PatchFinder {
   FacePatches patches() const {
     FacePatches found;
     found.newVertices = newVertices_;
-    std::vector<std::uint32_t> parent(pieces_.size());
-    std::iota(parent.begin(), parent.end(), 0U);
-    const auto rootOf = [&](std::uint32_t i) {
-      while (parent[i] != i) i = parent[i] = parent[parent[i]];
-      return i;
-    };
+    JoinedSets joined(pieces_.size());
     const bool states = !body_.mesh.faces.empty();
     std::map<EdgeEnds, std::uint32_t> at;  // one piece of a patch for each vertex of a surface
     for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
@@ -378,7 +369,7 @@ class PatchFinder {
       for (const std::uint32_t corner : pieces_[i].corners) {
         const EdgeEnds key{number_[corner], states ? region : family_[region]};
         const auto [known, isNew] = at.try_emplace(key, i);
-        if (!isNew) parent[rootOf(i)] = rootOf(known->second);
+        if (!isNew) joined.join(i, known->second);
       }
     }
     std::map<std::uint32_t, std::uint32_t> numbers;
@@ -387,7 +378,7 @@ class PatchFinder {
       found.parents.push_back(pieces_[i].parent);
       found.patches.push_back(FacePatches::kNone);
       if (pieces_[i].cover != Cover::All) continue;
-      const auto [known, isNew] = numbers.try_emplace(rootOf(i), static_cast<std::uint32_t>(found.regions.size()));
+      const auto [known, isNew] = numbers.try_emplace(joined.of(i), static_cast<std::uint32_t>(found.regions.size()));
       if (isNew) found.regions.push_back(body_.regions.of[pieces_[i].parent]);
       found.patches.back() = known->second;
     }
