@@ -8,8 +8,8 @@
 #include <set>
 #include <utility>
 
-#include "engine/geometry/vertex_welder.h"
 #include "engine/geometry/joined_sets.h"
+#include "engine/geometry/vertex_welder.h"
 
 namespace glissade::check {
 namespace {
@@ -79,13 +79,15 @@ class PatchFinder {
   }
 
   std::optional<FacePatches> find() {
-    std::vector<Ring> rings = ringsInHoles(body_, question_.other, kBesideRing * size_);
-    std::erase_if(rings, [&](const Ring& ring) { return !hasDepth(ring.round); });
-    begin(dividedAtRings(body_, rings, kAtEndOfRing * size_));
+    std::vector<ShaftRings> shafts = ringsInHoles(body_, question_.other, kBesideRing * size_);
+    std::erase_if(shafts, [&](const ShaftRings& each) { return !hasDepth(each.shaft); });
+    begin(dividedAtRings(body_, shafts, kAtEndOfRing * size_));
     for (const RoundFace& round : body_.rounds) {
-      if (!round.isShaft) coverAround({round, round.low, round.high});
+      if (!round.isShaft) coverAround(round, {round.low, round.high});
     }
-    for (const Ring& ring : rings) coverAround(ring);
+    for (const ShaftRings& each : shafts) {
+      for (const Range& ring : each.rings) coverAround(each.shaft, ring);
+    }
     while (!stop_.stopRequested() && pieces_.size() < kMostDivided) {
       const std::set<EdgeEnds> edges = edgesToDivide();
       if (edges.empty()) return patches();
@@ -211,20 +213,19 @@ class PatchFinder {
     }
   }
 
-  /// A ring that is covered at every angle is covered along its whole length.
-  void coverAround(const Ring& ring) {
+  /// A part of a round face that is covered at every angle is covered along its whole length.
+  void coverAround(const RoundFace& round, const Range& ring) {
     std::vector<std::uint32_t> ofRing;
     std::array<bool, kAngles> covered{};
     for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
       const Piece& piece = pieces_[i];
-      if (!isOf(ring.round, body_, piece.parent) || !isBetween(ring, cornersOf(piece))) continue;
+      if (depthOf(piece.parent) <= 0.0 || !isOf(round, body_, piece.parent)) continue;
+      if (!isBetween(round, ring, cornersOf(piece))) continue;
       ofRing.push_back(i);
-      if (piece.cover != Cover::None) markAngles(ring.round, piece.parent, covered);
+      if (piece.cover != Cover::None) markAngles(round, piece.parent, covered);
     }
     if (!std::all_of(covered.begin(), covered.end(), [](bool each) { return each; })) return;
-    for (const std::uint32_t i : ofRing) {
-      if (depthOf(pieces_[i].parent) > 0.0) pieces_[i].cover = Cover::All;
-    }
+    for (const std::uint32_t i : ofRing) pieces_[i].cover = Cover::All;
   }
 
   bool hasDepth(const RoundFace& round) const {
@@ -234,9 +235,9 @@ class PatchFinder {
     return false;
   }
 
-  static bool isBetween(const Ring& ring, const Triangle& corners) {
+  static bool isBetween(const RoundFace& round, const Range& ring, const Triangle& corners) {
     return std::all_of(corners.begin(), corners.end(), [&](const Vector3& p) {
-      const double along = (p - ring.round.point).dot(ring.round.axis);
+      const double along = (p - round.point).dot(round.axis);
       return along >= ring.low - kOnCylinder && along <= ring.high + kOnCylinder;
     });
   }

@@ -77,6 +77,17 @@ std::optional<RoundFace> roundFaceOf(const PlacedBody& body, const std::vector<s
   return round;
 }
 
+/// True if the part lies on the cylinder of the other face, and between its ends.
+bool isPartOf(const RoundFace& part, const RoundFace& face) {
+  const double off = vertexTolerance(face.radius);
+  const double from = (part.point - face.point).dot(face.axis);
+  const double sense = part.axis.dot(face.axis) < 0.0 ? -1.0 : 1.0;
+  const auto [low, high] = std::minmax({from + sense * part.low, from + sense * part.high});
+  return part.isShaft == face.isShaft && std::abs(part.radius - face.radius) <= off &&
+         part.axis.cross(face.axis).norm() <= kParallelAxes &&
+         (part.point - face.point).cross(face.axis).norm() <= off && low >= face.low - off && high <= face.high + off;
+}
+
 }  // namespace
 
 double vertexTolerance(double radius) {
@@ -86,20 +97,22 @@ double vertexTolerance(double radius) {
 
 std::vector<RoundFace> roundFacesOf(const PlacedBody& body) {
   std::vector<RoundFace> faces;
+  const auto add = [&](const std::optional<RoundFace>& round) {
+    const auto holds = [&](const RoundFace& face) { return isPartOf(*round, face); };
+    if (round && std::none_of(faces.begin(), faces.end(), holds)) faces.push_back(*round);
+  };
   const std::vector<std::uint32_t> surfaceOf = smoothSurfaces(body.regions);
   std::vector<std::vector<std::uint32_t>> byRegion(body.regions.count);
   for (std::uint32_t t = 0; t < body.mesh.triangles.size(); ++t) byRegion[surfaceOf[body.regions.of[t]]].push_back(t);
   for (const auto& triangles : byRegion) {
     if (triangles.size() < kFewestTriangles) continue;
-    const auto round = roundFaceOf(body, triangles, directionOf(body, triangles));
-    if (round) faces.push_back(*round);
+    add(roundFaceOf(body, triangles, directionOf(body, triangles)));
   }
   std::vector<std::vector<std::uint32_t>> byFace(body.mesh.faces.size());
   for (std::uint32_t t = 0; t < body.mesh.faceOf.size(); ++t) byFace[body.mesh.faceOf[t]].push_back(t);
   for (std::size_t f = 0; f < byFace.size(); ++f) {
     if (body.mesh.faces[f].kind != SurfaceFace::Kind::Cylinder) continue;
-    const auto round = roundFaceOf(body, byFace[f], body.mesh.faces[f].axis.normalized());
-    if (round) faces.push_back(*round);
+    add(roundFaceOf(body, byFace[f], body.mesh.faces[f].axis.normalized()));
   }
   return faces;
 }

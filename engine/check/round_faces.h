@@ -28,7 +28,8 @@ struct RoundFace {
   double high = 0.0;
 };
 
-/// The cylinders of a body: smooth surfaces that are round, and faces that its file calls cylinders.
+/// The cylinders of a body: smooth surfaces that are round, and faces that its file calls cylinders. None is a part of
+/// an earlier one.
 std::vector<RoundFace> roundFacesOf(const PlacedBody& body);
 
 /// Whether the triangle of the body lies on the round face.
