@@ -1,10 +1,11 @@
 #include "engine/check/crests.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <numbers>
+
+#include "engine/geometry/circle_fit.h"
 
 namespace glissade::check {
 namespace {
@@ -141,21 +142,12 @@ std::vector<Vector3> tipsOf(const std::vector<Vector3>& into, const RoundFace& f
   return found;
 }
 
-/// A face about the middle of the circle through points, seen along its axis (I. Kasa, 1976); itself where there is no
-/// such circle.
+/// A face about the middle of the circle through points, seen along its axis; itself where there is no such circle.
 RoundFace aboutMiddleOf(const std::vector<Vector3>& points, RoundFace face) {
-  const Vector3 u = face.axis.unitOrthogonal();
-  const Vector3 v = face.axis.cross(u);
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Vector3 right = Vector3::Zero();
-  for (const Vector3& p : points) {
-    const Vector3 arm = (p - face.point) / face.radius;
-    const Vector3 row(arm.dot(u), arm.dot(v), 1.0);
-    normal += row * row.transpose();
-    right += row * row.head<2>().squaredNorm();
+  if (const auto circle = fitCircle(points, face.axis)) {
+    const Vector3 way = circle->middle - face.point;
+    face.point += way - way.dot(face.axis) * face.axis;
   }
-  const Vector3 found = normal.ldlt().solve(right);
-  if (found.allFinite()) face.point += 0.5 * face.radius * (found.x() * u + found.y() * v);
   return face;
 }
 
@@ -167,7 +159,7 @@ std::vector<double> heightsOfGrooves(double radius, const RoundFace& face, const
     const Vector3 arm = vertex - face.point;
     const double height = arm.dot(face.axis);
     const double square = arm.squaredNorm() - height * height;
-    const double least = radius - 2.0 * offOf(radius);
+    const double least = radius - 2.0 * vertexTolerance(radius);
     if (square < least * least && square > kDeepest * kDeepest * radius * radius) heights.push_back(height);
   }
   std::sort(heights.begin(), heights.end());
@@ -202,7 +194,7 @@ TriangleMesh atRadius(double radius, const RoundFace& face, const TriangleMesh& 
     const Vector3 arm = vertex - face.point;
     const double height = arm.dot(face.axis);
     const double distance = std::sqrt(std::max(0.0, arm.squaredNorm() - height * height));
-    if (std::abs(distance - radius) <= offOf(radius)) found.vertices.push_back(vertex);
+    if (std::abs(distance - radius) <= vertexTolerance(radius)) found.vertices.push_back(vertex);
   }
   return found;
 }
@@ -243,8 +235,6 @@ std::vector<Around> aroundOf(const TriangleMesh& mesh, const Vector3& point, con
   }
   return vertices;
 }
-
-double offOf(double radius) { return std::max(kOnCylinder, kShareOfCylinderRadius * radius); }
 
 bool areAround(const std::vector<Around>& vertices) {
   std::vector<double> angles;

@@ -18,9 +18,6 @@ struct Around {
 /// Each vertex about an axis. `axis`: unit.
 std::vector<Around> aroundOf(const TriangleMesh& mesh, const Vector3& point, const Vector3& axis);
 
-/// Largest distance of a vertex from the cylinder of this radius that it lies on, metres.
-double offOf(double radius);
-
 /// The vertices leave no gap about the axis that is wider than a little more than a quarter of a turn.
 bool areAround(const std::vector<Around>& vertices);
 

@@ -5,9 +5,10 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <set>
+#include <utility>
 
+#include "engine/geometry/joined_sets.h"
 #include "engine/geometry/vertex_welder.h"
 
 namespace glissade::check {
@@ -78,13 +79,15 @@ class PatchFinder {
   }
 
   std::optional<FacePatches> find() {
-    std::vector<Ring> rings = ringsInHoles(body_, question_.other, kBesideRing * size_);
-    std::erase_if(rings, [&](const Ring& ring) { return !hasDepth(ring.round); });
-    begin(dividedAtRings(body_, rings, kAtEndOfRing * size_));
+    std::vector<ShaftRings> shafts = ringsInHoles(body_, question_.other, kBesideRing * size_);
+    std::erase_if(shafts, [&](const ShaftRings& each) { return !hasDepth(each.shaft); });
+    begin(dividedAtRings(body_, shafts, kAtEndOfRing * size_));
     for (const RoundFace& round : body_.rounds) {
-      if (!round.isShaft) coverAround({round, round.low, round.high});
+      if (!round.isShaft) coverAround(round, {round.low, round.high});
     }
-    for (const Ring& ring : rings) coverAround(ring);
+    for (const ShaftRings& each : shafts) {
+      for (const Range& ring : each.rings) coverAround(each.shaft, ring);
+    }
     while (!stop_.stopRequested() && pieces_.size() < kMostDivided) {
       const std::set<EdgeEnds> edges = edgesToDivide();
       if (edges.empty()) return patches();
@@ -127,16 +130,11 @@ class PatchFinder {
 
   /// Gives one number to all regions of a smooth surface.
   void findFamilies() {
-    family_.resize(body_.regions.count);
-    std::iota(family_.begin(), family_.end(), 0U);
-    const auto rootOf = [&](std::uint32_t r) {
-      while (family_[r] != r) r = family_[r] = family_[family_[r]];
-      return r;
-    };
+    JoinedSets families(body_.regions.count);
     for (std::uint32_t r = 0; r < body_.regions.next.size(); ++r) {
-      for (const std::uint32_t next : body_.regions.next[r]) family_[rootOf(r)] = rootOf(next);
+      for (const std::uint32_t next : body_.regions.next[r]) families.join(r, next);
     }
-    for (std::uint32_t r = 0; r < family_.size(); ++r) family_[r] = rootOf(r);
+    family_ = std::move(families).all();
   }
 
   /// True if the other surface is below the triangle, a little above it, or beside it by at most the size of a piece. A
@@ -215,20 +213,19 @@ class PatchFinder {
     }
   }
 
-  /// A ring that is covered at every angle is covered along its whole length.
-  void coverAround(const Ring& ring) {
+  /// A part of a round face that is covered at every angle is covered along its whole length.
+  void coverAround(const RoundFace& round, const Range& ring) {
     std::vector<std::uint32_t> ofRing;
     std::array<bool, kAngles> covered{};
     for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
       const Piece& piece = pieces_[i];
-      if (!isOf(ring.round, body_, piece.parent) || !isBetween(ring, cornersOf(piece))) continue;
+      if (depthOf(piece.parent) <= 0.0 || !isOf(round, body_, piece.parent)) continue;
+      if (!isBetween(round, ring, cornersOf(piece))) continue;
       ofRing.push_back(i);
-      if (piece.cover != Cover::None) markAngles(ring.round, piece.parent, covered);
+      if (piece.cover != Cover::None) markAngles(round, piece.parent, covered);
     }
     if (!std::all_of(covered.begin(), covered.end(), [](bool each) { return each; })) return;
-    for (const std::uint32_t i : ofRing) {
-      if (depthOf(pieces_[i].parent) > 0.0) pieces_[i].cover = Cover::All;
-    }
+    for (const std::uint32_t i : ofRing) pieces_[i].cover = Cover::All;
   }
 
   bool hasDepth(const RoundFace& round) const {
@@ -238,9 +235,9 @@ class PatchFinder {
     return false;
   }
 
-  static bool isBetween(const Ring& ring, const Triangle& corners) {
+  static bool isBetween(const RoundFace& round, const Range& ring, const Triangle& corners) {
     return std::all_of(corners.begin(), corners.end(), [&](const Vector3& p) {
-      const double along = (p - ring.round.point).dot(ring.round.axis);
+      const double along = (p - round.point).dot(round.axis);
       return along >= ring.low - kOnCylinder && along <= ring.high + kOnCylinder;
     });
   }
@@ -364,12 +361,7 @@ class PatchFinder {
   FacePatches patches() const {
     FacePatches found;
     found.newVertices = newVertices_;
-    std::vector<std::uint32_t> parent(pieces_.size());
-    std::iota(parent.begin(), parent.end(), 0U);
-    const auto rootOf = [&](std::uint32_t i) {
-      while (parent[i] != i) i = parent[i] = parent[parent[i]];
-      return i;
-    };
+    JoinedSets joined(pieces_.size());
     const bool states = !body_.mesh.faces.empty();
     std::map<EdgeEnds, std::uint32_t> at;  // one piece of a patch for each vertex of a surface
     for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
@@ -378,7 +370,7 @@ class PatchFinder {
       for (const std::uint32_t corner : pieces_[i].corners) {
         const EdgeEnds key{number_[corner], states ? region : family_[region]};
         const auto [known, isNew] = at.try_emplace(key, i);
-        if (!isNew) parent[rootOf(i)] = rootOf(known->second);
+        if (!isNew) joined.join(i, known->second);
       }
     }
     std::map<std::uint32_t, std::uint32_t> numbers;
@@ -387,7 +379,7 @@ class PatchFinder {
       found.parents.push_back(pieces_[i].parent);
       found.patches.push_back(FacePatches::kNone);
       if (pieces_[i].cover != Cover::All) continue;
-      const auto [known, isNew] = numbers.try_emplace(rootOf(i), static_cast<std::uint32_t>(found.regions.size()));
+      const auto [known, isNew] = numbers.try_emplace(joined.of(i), static_cast<std::uint32_t>(found.regions.size()));
       if (isNew) found.regions.push_back(body_.regions.of[pieces_[i].parent]);
       found.patches.back() = known->second;
     }

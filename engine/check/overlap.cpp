@@ -7,7 +7,6 @@
 
 #include "engine/check/deepest_points.h"
 #include "engine/check/part_cells.h"
-#include "engine/check/shaft_rings.h"
 #include "engine/geometry/triangle_crossing.h"
 #include "engine/geometry/vertex_welder.h"
 
@@ -345,8 +344,8 @@ struct ShaftInHole {
   }
 
   double fromAxisOfShaft(const Vector3& p) const { return (p - shaft.point).cross(shaft.axis).norm(); }
-  double offShaft() const { return std::max(kOnCylinder, kShareOfCylinderRadius * shaft.radius); }
-  bool isInShaft(const Vector3& p) const { return fromAxisOfShaft(p) <= shaft.radius + offShaft(); }
+  double outsideOfShaft() const { return shaft.radius + vertexTolerance(shaft.radius); }
+  bool isInShaft(const Vector3& p) const { return fromAxisOfShaft(p) <= outsideOfShaft(); }
 
   /// True if the body with the shaft is thicker than the shaft somewhere, as at a knob, and not much thicker than the
   /// hole. A wider hole would let it pass.
@@ -365,7 +364,7 @@ struct ShaftInHole {
       }
     }
     for (std::size_t i = 0; i < from.size(); ++i) {
-      const bool isThicker = from[i] > shaft.radius + offShaft() && from[i] <= hole.radius + 2.0 * kClashOverlap;
+      const bool isThicker = from[i] > outsideOfShaft() && from[i] <= hole.radius + 2.0 * kClashOverlap;
       if (isFarthest[i] && isThicker) return true;
     }
     return false;

@@ -1,11 +1,12 @@
 #include "engine/check/round_faces.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "engine/check/placed_body.h"
+#include "engine/geometry/circle_fit.h"
 
 namespace glissade::check {
 namespace {
@@ -31,26 +32,12 @@ std::vector<std::uint32_t> smoothSurfaces(const FaceRegions& regions) {
   return first;
 }
 
-/// The circle through points that are seen along an axis (I. Kasa, 1976).
+/// The cylinder about the axis through the points.
 std::optional<RoundFace> roundThrough(const std::vector<Vector3>& points, const Vector3& axis) {
-  const Vector3 u = axis.unitOrthogonal();
-  const Vector3 v = axis.cross(u);
-  const Vector3& origin = points.front();
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Vector3 right = Vector3::Zero();
-  double scale = 0.0;
-  for (const Vector3& p : points) scale = std::max(scale, (p - origin).norm());
-  if (!(scale > 0.0)) return std::nullopt;
-  for (const Vector3& p : points) {
-    const Vector3 row((p - origin).dot(u) / scale, (p - origin).dot(v) / scale, 1.0);
-    normal += row * row.transpose();
-    right += row * row.head<2>().squaredNorm();
-  }
-  const Vector3 found = normal.ldlt().solve(right);
-  const double squared = found.z() + 0.25 * found.head<2>().squaredNorm();
-  if (!found.allFinite() || !(squared > 0.0)) return std::nullopt;
-  RoundFace round{origin + 0.5 * scale * (found.x() * u + found.y() * v), axis, scale * std::sqrt(squared)};
-  const double off = std::max(kOnCylinder, kShareOfCylinderRadius * round.radius);
+  const auto circle = fitCircle(points, axis);
+  if (!circle) return std::nullopt;
+  RoundFace round{circle->middle, axis, circle->radius};
+  const double off = vertexTolerance(round.radius);
   for (const Vector3& p : points) {
     if (std::abs((p - round.point).cross(axis).norm() - round.radius) > off) return std::nullopt;
     const double along = (p - round.point).dot(axis);
@@ -90,26 +77,59 @@ std::optional<RoundFace> roundFaceOf(const PlacedBody& body, const std::vector<s
   return round;
 }
 
+/// True if the part lies on the cylinder of the other face, and between its ends.
+bool isPartOf(const RoundFace& part, const RoundFace& face) {
+  const double off = vertexTolerance(face.radius);
+  const double from = (part.point - face.point).dot(face.axis);
+  const double sense = part.axis.dot(face.axis) < 0.0 ? -1.0 : 1.0;
+  const auto [low, high] = std::minmax({from + sense * part.low, from + sense * part.high});
+  return part.isShaft == face.isShaft && std::abs(part.radius - face.radius) <= off &&
+         part.axis.cross(face.axis).norm() <= kParallelAxes &&
+         (part.point - face.point).cross(face.axis).norm() <= off && low >= face.low - off && high <= face.high + off;
+}
+
 }  // namespace
+
+double vertexTolerance(double radius) {
+  constexpr double kShareOfRadius = 1e-3;
+  return std::max(kOnCylinder, kShareOfRadius * radius);
+}
 
 std::vector<RoundFace> roundFacesOf(const PlacedBody& body) {
   std::vector<RoundFace> faces;
+  const auto add = [&](const std::optional<RoundFace>& round) {
+    const auto holds = [&](const RoundFace& face) { return isPartOf(*round, face); };
+    if (round && std::none_of(faces.begin(), faces.end(), holds)) faces.push_back(*round);
+  };
   const std::vector<std::uint32_t> surfaceOf = smoothSurfaces(body.regions);
   std::vector<std::vector<std::uint32_t>> byRegion(body.regions.count);
   for (std::uint32_t t = 0; t < body.mesh.triangles.size(); ++t) byRegion[surfaceOf[body.regions.of[t]]].push_back(t);
   for (const auto& triangles : byRegion) {
     if (triangles.size() < kFewestTriangles) continue;
-    const auto round = roundFaceOf(body, triangles, directionOf(body, triangles));
-    if (round) faces.push_back(*round);
+    add(roundFaceOf(body, triangles, directionOf(body, triangles)));
   }
   std::vector<std::vector<std::uint32_t>> byFace(body.mesh.faces.size());
   for (std::uint32_t t = 0; t < body.mesh.faceOf.size(); ++t) byFace[body.mesh.faceOf[t]].push_back(t);
   for (std::size_t f = 0; f < byFace.size(); ++f) {
     if (body.mesh.faces[f].kind != SurfaceFace::Kind::Cylinder) continue;
-    const auto round = roundFaceOf(body, byFace[f], body.mesh.faces[f].axis.normalized());
-    if (round) faces.push_back(*round);
+    add(roundFaceOf(body, byFace[f], body.mesh.faces[f].axis.normalized()));
   }
   return faces;
+}
+
+bool isOf(const RoundFace& round, const PlacedBody& body, std::uint32_t triangle) {
+  const Triangle& corners = body.tree.triangles()[triangle];
+  const double off = vertexTolerance(round.radius);
+  const auto isOn = [&](const Vector3& p) {
+    const Vector3 from = p - round.point;
+    const double along = from.dot(round.axis);
+    return along >= round.low - off && along <= round.high + off &&
+           std::abs((from - along * round.axis).norm() - round.radius) <= off;
+  };
+  const Vector3 from = (corners[0] + corners[1] + corners[2]) / 3.0 - round.point;
+  const Vector3 across = from - from.dot(round.axis) * round.axis;
+  const double outwards = body.normals[triangle].dot(across);
+  return std::all_of(corners.begin(), corners.end(), isOn) && (round.isShaft ? outwards > 0.0 : outwards < 0.0);
 }
 
 }  // namespace glissade::check

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/check/placed_body.h"
+#include "engine/geometry/range.h"
 
 namespace glissade::check {
 
@@ -24,23 +25,18 @@ struct DividedTriangles {
   std::vector<Vector3> vertices(const std::vector<Vector3>& whole) const;
 };
 
-/// The part of a round face between two heights along its axis, metres from its point.
-struct Ring {
-  RoundFace round;
-  double low;
-  double high;
+/// Parts of a shaft, each between two heights along its axis, metres from its point.
+struct ShaftRings {
+  RoundFace shaft;
+  std::vector<Range> rings;  ///< ascending; no two of them overlap
 };
 
-/// Whether the triangle of the body lies on the round face.
-bool isOf(const RoundFace& round, const PlacedBody& body, std::uint32_t triangle);
-
 /// The parts of shafts of the body that are in coaxial holes of the other body, with so many metres beside the holes.
-/// Rings that overlap are one.
-std::vector<Ring> ringsInHoles(const PlacedBody& body, const PlacedBody& other, double beside);
+std::vector<ShaftRings> ringsInHoles(const PlacedBody& body, const PlacedBody& other, double beside);
 
 /// Divides the triangles of shafts at both ends of each ring, and so many metres on both sides of each end. A cut
-/// across a shaft adds some three triangles a facet. Nothing is cut near a corner of the shaft, or where the shaft
+/// across a shaft adds four triangles a facet at most. Nothing is cut near a corner of the shaft, or where the shaft
 /// shares a cut edge with another face.
-DividedTriangles dividedAtRings(const PlacedBody& body, const std::vector<Ring>& rings, double beside);
+DividedTriangles dividedAtRings(const PlacedBody& body, const std::vector<ShaftRings>& rings, double beside);
 
 }  // namespace glissade::check

@@ -5,15 +5,16 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "engine/check/open_surface.h"
 #include "engine/check/ray_containment.h"
 #include "engine/geometry/continued_cones.h"
+#include "engine/geometry/joined_sets.h"
 #include "engine/geometry/triangle_crossing.h"
 #include "engine/geometry/triangle_tree.h"
 
@@ -259,20 +260,12 @@ class ThinBody {
 
   /// Gives one number to all connected vertices.
   void findPieces() {
-    piece_.resize(points_.size());
-    std::iota(piece_.begin(), piece_.end(), 0U);
+    JoinedSets connected(points_.size());
     for (const auto& [a, b, c] : triangles_) {
-      const std::uint32_t root = pieceOf(a);
-      piece_[pieceOf(b)] = root;
-      piece_[pieceOf(c)] = root;
+      connected.join(b, a);
+      connected.join(c, a);
     }
-    for (std::uint32_t i = 0; i < piece_.size(); ++i) piece_[i] = pieceOf(i);
-  }
-
-  /// Follows the links to the first vertex of the piece, and shortens them.
-  std::uint32_t pieceOf(std::uint32_t i) {
-    while (piece_[i] != i) i = piece_[i] = piece_[piece_[i]];
-    return i;
+    piece_ = std::move(connected).all();
   }
 
   std::set<std::uint32_t> crossingCorners(const TriangleMesh& thin) const {

@@ -19,7 +19,7 @@ std::optional<std::pair<double, double>> spanOf(const PlacedBody& body, const Ve
                                                 double radius) {
   std::pair<double, double> span{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   std::size_t count = 0;
-  const double off = std::max(kOnCylinder, kShareOfCylinderRadius * radius);
+  const double off = vertexTolerance(radius);
   for (const Vector3& vertex : body.mesh.vertices) {
     const Vector3 p = vertex - point;
     if (std::abs(p.cross(axis).norm() - radius) > off) continue;

@@ -8,6 +8,7 @@
 
 #include "engine/check/crests.h"
 #include "engine/check/evidence.h"
+#include "engine/check/round_faces.h"
 #include "engine/check/thread_axis.h"
 #include "engine/check/turn.h"
 
@@ -37,7 +38,7 @@ std::optional<Span> ringAround(std::vector<Around> vertices, const Span& radii) 
   };
   auto first = from(radii.low);
   while (first != vertices.end() && first->radius <= radii.high) {
-    const double off = offOf(first->radius);
+    const double off = vertexTolerance(first->radius);
     const auto last = from(first->radius + 2.0 * off);
     Span span{first->height, first->height};
     for (auto each = first; each != last; ++each) {
@@ -91,7 +92,7 @@ std::vector<Around> crestsOf(const std::vector<Around>& shaft, const Span& threa
   const double runOut = kRunOut * std::abs(claim.pitch);
   std::vector<Around> crests;
   for (const Around& vertex : shaft) {
-    if (std::abs(vertex.radius - claim.crest) > offOf(claim.crest)) continue;
+    if (std::abs(vertex.radius - claim.crest) > vertexTolerance(claim.crest)) continue;
     if (vertex.height >= thread.low + runOut && vertex.height <= thread.high - runOut) crests.push_back(vertex);
   }
   std::sort(crests.begin(), crests.end(), [](const Around& a, const Around& b) { return a.height < b.height; });
@@ -117,13 +118,13 @@ Result<ThreadCore> threadCoreOf(const PlacedBody& shaft, const PlacedBody& hole,
   const auto thread = threadSpan(vertices, *wall, free, claim);
   if (!thread) return refused(GLISSADE_TEXT("the shaft has no groove that is as narrow as the hole"));
   const std::vector<Around> crests = crestsOf(vertices, *thread, claim);
-  if (!ringAround(crests, {claim.crest - offOf(claim.crest), claim.crest}))
+  if (!ringAround(crests, {claim.crest - vertexTolerance(claim.crest), claim.crest}))
     return refused(GLISSADE_TEXT("the crests are not around the axis that the file states"));
   if (!areHelix(crests, claim.pitch))
     return refused(GLISSADE_TEXT("the shaft has no helix of the pitch that the file states"));
   const Span taken = toTheEnds(*thread, vertices, std::abs(claim.pitch));
   ThreadCore core{claim.point, claim.axis, taken.low, taken.high};
-  core.crest = claim.crest + offOf(claim.crest);
+  core.crest = claim.crest + vertexTolerance(claim.crest);
   core.hole = free;
   core.spacing = shaft.spacing + hole.spacing;
   core.margin = assembledMargin(std::max({shaft.radius, shaft.halfDiagonal, hole.radius, hole.halfDiagonal})) +

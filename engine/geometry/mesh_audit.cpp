@@ -4,44 +4,29 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 
+#include "engine/geometry/joined_sets.h"
 #include "engine/geometry/mesh_edges.h"
 
 namespace glissade {
 namespace {
 
-/// Union-find over vertex indices with path halving.
-class Components {
- public:
-  explicit Components(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
-
-  std::uint32_t find(std::uint32_t item) {
-    while (parent_[item] != item) item = parent_[item] = parent_[parent_[item]];
-    return item;
-  }
-  void unite(std::uint32_t a, std::uint32_t b) { parent_[find(a)] = find(b); }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
-Components connectedVertices(const TriangleMesh& mesh) {
-  Components components(mesh.vertices.size());
+JoinedSets connectedVertices(const TriangleMesh& mesh) {
+  JoinedSets components(mesh.vertices.size());
   for (const auto& [a, b, c] : mesh.triangles) {
-    components.unite(a, b);
-    components.unite(b, c);
+    components.join(a, b);
+    components.join(b, c);
   }
   return components;
 }
 
 std::vector<ConnectedSurface> connectedSurfaces(const TriangleMesh& mesh) {
   constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-  Components components = connectedVertices(mesh);
+  JoinedSets components = connectedVertices(mesh);
   std::vector<std::uint32_t> surfaceOf(mesh.vertices.size(), kNone);  // surface by its representative vertex
   std::vector<ConnectedSurface> surfaces;
   for (const TriangleIndices& triangle : mesh.triangles) {
-    std::uint32_t& surface = surfaceOf[components.find(triangle[0])];
+    std::uint32_t& surface = surfaceOf[components.of(triangle[0])];
     if (surface == kNone) {
       surface = static_cast<std::uint32_t>(surfaces.size());
       surfaces.push_back({mesh.vertices[triangle[0]], Box3()});

@@ -2,29 +2,14 @@
 
 #include <cstdint>
 #include <map>
-#include <numeric>
 #include <vector>
 
+#include "engine/geometry/joined_sets.h"
 #include "engine/geometry/mesh_volume.h"
 #include "engine/geometry/triangle_tree.h"
 
 namespace glissade {
 namespace {
-
-/// Numbers that are joined to sets.
-class JoinedSets {
- public:
-  explicit JoinedSets(std::size_t count) : above_(count) { std::iota(above_.begin(), above_.end(), std::size_t{0}); }
-
-  std::size_t of(std::size_t one) {
-    while (above_[one] != one) one = above_[one] = above_[above_[one]];
-    return one;
-  }
-  void join(std::size_t one, std::size_t other) { above_[of(one)] = of(other); }
-
- private:
-  std::vector<std::size_t> above_;
-};
 
 /// The connected surfaces that are turned outwards.
 std::vector<TriangleMesh> solidsOf(const TriangleMesh& mesh) {
@@ -34,7 +19,7 @@ std::vector<TriangleMesh> solidsOf(const TriangleMesh& mesh) {
     pieces.join(a, b);
     pieces.join(b, c);
   }
-  std::map<std::size_t, TriangleMesh> byPiece;
+  std::map<std::uint32_t, TriangleMesh> byPiece;
   for (const TriangleIndices& triangle : whole.triangles) {
     TriangleMesh& piece = byPiece[pieces.of(triangle[0])];
     const auto first = static_cast<std::uint32_t>(piece.vertices.size());
@@ -65,13 +50,13 @@ std::size_t separateSolids(const TriangleMesh& mesh, double touching) {
   std::vector<TriangleTree> solids;
   for (const TriangleMesh& solid : solidsOf(mesh)) solids.emplace_back(solid);
   JoinedSets groups(solids.size());
-  for (std::size_t a = 0; a < solids.size(); ++a) {
-    for (std::size_t b = a + 1; b < solids.size(); ++b) {
+  for (std::uint32_t a = 0; a < solids.size(); ++a) {
+    for (std::uint32_t b = a + 1; b < solids.size(); ++b) {
       if (areNear(solids[a], solids[b], touching)) groups.join(a, b);
     }
   }
   std::size_t count = 0;
-  for (std::size_t i = 0; i < solids.size(); ++i) count += groups.of(i) == i ? 1U : 0U;
+  for (std::uint32_t i = 0; i < solids.size(); ++i) count += groups.of(i) == i ? 1U : 0U;
   return count;
 }
 

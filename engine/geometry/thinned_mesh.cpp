@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "engine/base/in_threads.h"
+#include "engine/geometry/joined_sets.h"
 #include "engine/geometry/mesh_audit.h"
 #include "engine/geometry/mesh_edges.h"
 #include "engine/geometry/mesh_volume.h"
@@ -61,18 +62,13 @@ double thicknessBelow(const TriangleTree& surface, const Triangle& triangle, con
 
 /// Numbers of the connected surfaces, by shared vertices.
 std::vector<std::uint32_t> shellsOf(const TriangleMesh& mesh) {
-  std::vector<std::uint32_t> parent(mesh.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](std::uint32_t vertex) {
-    while (parent[vertex] != vertex) vertex = parent[vertex] = parent[parent[vertex]];
-    return vertex;
-  };
+  JoinedSets connected(mesh.vertices.size());
   for (const auto& [a, b, c] : mesh.triangles) {
-    parent[root(b)] = root(a);
-    parent[root(c)] = root(a);
+    connected.join(b, a);
+    connected.join(c, a);
   }
   std::vector<std::uint32_t> shells;
-  for (const auto& [a, b, c] : mesh.triangles) shells.push_back(root(a));
+  for (const auto& [a, b, c] : mesh.triangles) shells.push_back(connected.of(a));
   return shells;
 }
 

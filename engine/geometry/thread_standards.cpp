@@ -11,20 +11,52 @@ namespace {
 constexpr double kMillimetre = 1e-3;
 constexpr double kInch = 25.4e-3;
 
-/// A row of the table of metric threads, millimetres.
+/// A row of the table of metric threads, millimetres; 0: no nut, no further fine pitch.
 struct MetricRow {
   double diameter;
-  double pitch;
+  double coarse;
   double nut;
+  std::array<double, 4> fine;
 };
-constexpr std::array<MetricRow, 39> kMetric{
-    {{1.0, 0.25, 0.}, {1.1, 0.25, 0.},  {1.2, 0.25, 0.},  {1.4, 0.3, 0.},  {1.6, 0.35, 3.2}, {1.8, 0.35, 0.},
-     {2.0, 0.4, 4.0}, {2.2, 0.45, 4.5}, {2.5, 0.45, 5.0}, {3.0, 0.5, 5.5}, {3.5, 0.6, 6.0},  {4.0, 0.7, 7.0},
-     {4.5, 0.75, 0.}, {5.0, 0.8, 8.0},  {6.0, 1.0, 10.},  {7.0, 1.0, 11.}, {8.0, 1.25, 13.}, {9.0, 1.25, 0.},
-     {10., 1.5, 16.}, {11., 1.5, 0.},   {12., 1.75, 18.}, {14., 2.0, 21.}, {16., 2.0, 24.},  {18., 2.5, 27.},
-     {20., 2.5, 30.}, {22., 2.5, 34.},  {24., 3.0, 36.},  {27., 3.0, 41.}, {30., 3.5, 46.},  {33., 3.5, 50.},
-     {36., 4.0, 55.}, {39., 4.0, 60.},  {42., 4.5, 65.},  {45., 4.5, 70.}, {48., 5.0, 75.},  {52., 5.0, 80.},
-     {56., 5.5, 85.}, {60., 5.5, 90.},  {64., 6.0, 95.}}};
+constexpr std::array<MetricRow, 39> kMetric{{{1.0, 0.25, 0.0, {0.2}},
+                                             {1.1, 0.25, 0.0, {0.2}},
+                                             {1.2, 0.25, 0.0, {0.2}},
+                                             {1.4, 0.3, 0.0, {0.2}},
+                                             {1.6, 0.35, 3.2, {0.2}},
+                                             {1.8, 0.35, 0.0, {0.2}},
+                                             {2.0, 0.4, 4.0, {0.25}},
+                                             {2.2, 0.45, 4.5, {0.25}},
+                                             {2.5, 0.45, 5.0, {0.35}},
+                                             {3.0, 0.5, 5.5, {0.35}},
+                                             {3.5, 0.6, 6.0, {0.35}},
+                                             {4.0, 0.7, 7.0, {0.5}},
+                                             {4.5, 0.75, 0.0, {0.5}},
+                                             {5.0, 0.8, 8.0, {0.5}},
+                                             {6.0, 1.0, 10.0, {0.75, 0.5}},
+                                             {7.0, 1.0, 11.0, {0.75, 0.5}},
+                                             {8.0, 1.25, 13.0, {1.0, 0.75, 0.5}},
+                                             {9.0, 1.25, 0.0, {1.0, 0.75}},
+                                             {10.0, 1.5, 16.0, {1.25, 1.0, 0.75}},
+                                             {11.0, 1.5, 0.0, {1.0, 0.75}},
+                                             {12.0, 1.75, 18.0, {1.5, 1.25, 1.0}},
+                                             {14.0, 2.0, 21.0, {1.5, 1.25, 1.0}},
+                                             {16.0, 2.0, 24.0, {1.5, 1.0}},
+                                             {18.0, 2.5, 27.0, {2.0, 1.5, 1.0}},
+                                             {20.0, 2.5, 30.0, {2.0, 1.5, 1.0}},
+                                             {22.0, 2.5, 34.0, {2.0, 1.5, 1.0}},
+                                             {24.0, 3.0, 36.0, {2.0, 1.5, 1.0}},
+                                             {27.0, 3.0, 41.0, {2.0, 1.5, 1.0}},
+                                             {30.0, 3.5, 46.0, {3.0, 2.0, 1.5, 1.0}},
+                                             {33.0, 3.5, 50.0, {3.0, 2.0, 1.5}},
+                                             {36.0, 4.0, 55.0, {3.0, 2.0, 1.5}},
+                                             {39.0, 4.0, 60.0, {3.0, 2.0, 1.5}},
+                                             {42.0, 4.5, 65.0, {4.0, 3.0, 2.0, 1.5}},
+                                             {45.0, 4.5, 70.0, {4.0, 3.0, 2.0, 1.5}},
+                                             {48.0, 5.0, 75.0, {4.0, 3.0, 2.0, 1.5}},
+                                             {52.0, 5.0, 80.0, {4.0, 3.0, 2.0, 1.5}},
+                                             {56.0, 5.5, 85.0, {4.0, 3.0, 2.0, 1.5}},
+                                             {60.0, 5.5, 90.0, {4.0, 3.0, 2.0, 1.5}},
+                                             {64.0, 6.0, 95.0, {4.0, 3.0, 2.0, 1.5}}}};
 
 /// A row of the table of unified threads: inches, and threads per inch; 0: none.
 struct UnifiedRow {
@@ -67,6 +99,39 @@ constexpr std::array<TappingRow, 14> kTapping{{{1.5, 1.52, 0.5},
                                                {8.0, 8.00, 2.1},
                                                {9.5, 9.65, 2.1}}};
 
+/// A row of the table of pipe threads, millimetres: the name of the size, the outer diameter, the pitch.
+struct PipeRow {
+  const char* name;
+  double diameter;
+  double pitch;
+};
+constexpr std::array<PipeRow, 10> kPipe{{{"G1/16", 7.723, 0.907},
+                                         {"G1/8", 9.728, 0.907},
+                                         {"G1/4", 13.157, 1.337},
+                                         {"G3/8", 16.662, 1.337},
+                                         {"G1/2", 20.955, 1.814},
+                                         {"G3/4", 26.441, 1.814},
+                                         {"G1", 33.249, 2.309},
+                                         {"G1 1/4", 41.91, 2.309},
+                                         {"G1 1/2", 47.803, 2.309},
+                                         {"G2", 59.614, 2.309}}};
+
+/// Trapezoidal threads, millimetres: diameter, pitch.
+constexpr std::array<std::pair<double, double>, 14> kTrapezoidal{{{8.0, 1.5},
+                                                                  {10.0, 2.0},
+                                                                  {12.0, 3.0},
+                                                                  {14.0, 3.0},
+                                                                  {16.0, 4.0},
+                                                                  {18.0, 4.0},
+                                                                  {20.0, 4.0},
+                                                                  {24.0, 5.0},
+                                                                  {28.0, 5.0},
+                                                                  {32.0, 6.0},
+                                                                  {36.0, 6.0},
+                                                                  {40.0, 7.0},
+                                                                  {50.0, 8.0},
+                                                                  {60.0, 9.0}}};
+
 /// Wood screw threads, millimetres: diameter, pitch.
 constexpr std::array<std::pair<double, double>, 16> kWood{{{1.6, 0.8},
                                                            {2.0, 0.9},
@@ -92,11 +157,20 @@ std::string named(const char* before, double size) {
   return name.str();
 }
 
+/// A size without fine pitches and nuts. Millimetres.
+ThreadSize sizeOf(ThreadFamily family, const std::string& name, double diameter, double pitch) {
+  return {family, name, kMillimetre * diameter, kMillimetre * pitch};
+}
+
 std::vector<ThreadSize> metricSizes() {
   std::vector<ThreadSize> sizes;
-  for (const auto& [diameter, pitch, nut] : kMetric) {
-    sizes.push_back({ThreadFamily::Metric, named("M", diameter), kMillimetre * diameter, kMillimetre * pitch, 0.0,
-                     kMillimetre * nut});
+  for (const MetricRow& row : kMetric) {
+    ThreadSize& size =
+        sizes.emplace_back(sizeOf(ThreadFamily::Metric, named("M", row.diameter), row.diameter, row.coarse));
+    size.acrossFlats = kMillimetre * row.nut;
+    for (const double pitch : row.fine) {
+      if (pitch > 0.0) size.finePitches.push_back(kMillimetre * pitch);
+    }
   }
   return sizes;
 }
@@ -105,8 +179,8 @@ std::vector<ThreadSize> unifiedSizes() {
   const auto pitchOf = [](double threads) { return threads > 0.0 ? kInch / threads : 0.0; };
   std::vector<ThreadSize> sizes;
   for (const UnifiedRow& row : kUnified) {
-    sizes.push_back({ThreadFamily::Unified, row.name, kInch * row.diameter, pitchOf(row.coarse), pitchOf(row.fine),
-                     kInch * row.nut});
+    sizes.push_back({ThreadFamily::Unified, row.name, kInch * row.diameter, pitchOf(row.coarse), {}, kInch * row.nut});
+    if (row.fine > 0.0) sizes.back().finePitches = {pitchOf(row.fine)};
   }
   return sizes;
 }
@@ -114,7 +188,7 @@ std::vector<ThreadSize> unifiedSizes() {
 std::vector<ThreadSize> tappingSizes() {
   std::vector<ThreadSize> sizes;
   for (const auto& [size, diameter, pitch] : kTapping) {
-    sizes.push_back({ThreadFamily::Tapping, named("ST", size), kMillimetre * diameter, kMillimetre * pitch, 0.0, 0.0});
+    sizes.push_back(sizeOf(ThreadFamily::Tapping, named("ST", size), diameter, pitch));
   }
   return sizes;
 }
@@ -122,7 +196,23 @@ std::vector<ThreadSize> tappingSizes() {
 std::vector<ThreadSize> woodSizes() {
   std::vector<ThreadSize> sizes;
   for (const auto& [diameter, pitch] : kWood) {
-    sizes.push_back({ThreadFamily::Wood, named("", diameter), kMillimetre * diameter, kMillimetre * pitch, 0.0, 0.0});
+    sizes.push_back(sizeOf(ThreadFamily::Wood, named("", diameter), diameter, pitch));
+  }
+  return sizes;
+}
+
+std::vector<ThreadSize> pipeSizes() {
+  std::vector<ThreadSize> sizes;
+  for (const auto& [name, diameter, pitch] : kPipe) {
+    sizes.push_back(sizeOf(ThreadFamily::Pipe, name, diameter, pitch));
+  }
+  return sizes;
+}
+
+std::vector<ThreadSize> trapezoidalSizes() {
+  std::vector<ThreadSize> sizes;
+  for (const auto& [diameter, pitch] : kTrapezoidal) {
+    sizes.push_back(sizeOf(ThreadFamily::Trapezoidal, named("Tr", diameter), diameter, pitch));
   }
   return sizes;
 }
@@ -130,8 +220,8 @@ std::vector<ThreadSize> woodSizes() {
 }  // namespace
 
 const std::vector<ThreadSize>& threadSizes(ThreadFamily family) {
-  static const std::array<const std::vector<ThreadSize>, 4> kSizes{metricSizes(), unifiedSizes(), tappingSizes(),
-                                                                   woodSizes()};
+  static const std::array<const std::vector<ThreadSize>, 6> kSizes{metricSizes(), unifiedSizes(), tappingSizes(),
+                                                                   woodSizes(),   pipeSizes(),    trapezoidalSizes()};
   return kSizes[static_cast<std::size_t>(family)];
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/geometry/circle_fit.h"
+
 namespace glissade {
 namespace {
 
@@ -20,27 +22,6 @@ std::optional<Vector3> axisOf(const std::vector<Vector3>& normals) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(sum);
   if (solver.eigenvalues()[1] < kTurning * solver.eigenvalues()[2]) return std::nullopt;
   return Vector3(solver.eigenvectors().col(0));
-}
-
-/// The circle through the points in the projection along the axis (I. Kasa, 1976).
-std::optional<FittedCylinder> circleAbout(const std::vector<Vector3>& points, const Vector3& axis) {
-  const Vector3 u = axis.unitOrthogonal();
-  const Vector3 v = axis.cross(u);
-  const Vector3& origin = points.front();
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Vector3 right = Vector3::Zero();
-  double scale = 0.0;
-  for (const Vector3& p : points) scale = std::max(scale, (p - origin).norm());
-  if (scale <= 0.0) return std::nullopt;
-  for (const Vector3& p : points) {
-    const Vector3 row((p - origin).dot(u) / scale, (p - origin).dot(v) / scale, 1.0);
-    normal += row * row.transpose();
-    right += row * (row.x() * row.x() + row.y() * row.y());
-  }
-  const Vector3 solution = normal.ldlt().solve(right);
-  const double squared = solution.z() + 0.25 * (solution.x() * solution.x() + solution.y() * solution.y());
-  if (!solution.allFinite() || !(squared > 0.0)) return std::nullopt;
-  return FittedCylinder{origin + 0.5 * scale * (solution.x() * u + solution.y() * v), axis, scale * std::sqrt(squared)};
 }
 
 double largestError(const FittedCylinder& cylinder, const std::vector<Vector3>& points) {
@@ -85,15 +66,15 @@ std::optional<FittedCylinder> fitCylinder(const std::vector<Vector3>& points, co
                                           double tolerance) {
   const auto axis = axisOf(normals);
   if (!axis || points.size() < 5) return std::nullopt;
-  auto cylinder = circleAbout(points, *axis);
-  if (!cylinder || largestError(*cylinder, points) > std::max(tolerance, kRoughly * cylinder->radius)) {
-    return std::nullopt;
+  const auto circle = fitCircle(points, *axis);
+  if (!circle) return std::nullopt;
+  FittedCylinder cylinder{circle->middle, *axis, circle->radius};
+  if (largestError(cylinder, points) > std::max(tolerance, kRoughly * cylinder.radius)) return std::nullopt;
+  for (int i = 0; i < kRefinements && largestError(cylinder, points) > 0.01 * tolerance; ++i) {
+    refine(cylinder, points);
+    if (!(cylinder.radius > 0.0)) return std::nullopt;
   }
-  for (int i = 0; i < kRefinements && largestError(*cylinder, points) > 0.01 * tolerance; ++i) {
-    refine(*cylinder, points);
-    if (!(cylinder->radius > 0.0)) return std::nullopt;
-  }
-  return largestError(*cylinder, points) <= tolerance ? cylinder : std::nullopt;
+  return largestError(cylinder, points) <= tolerance ? std::optional(cylinder) : std::nullopt;
 }
 
 }  // namespace glissade

@@ -335,18 +335,19 @@ std::optional<SizeText> unifiedSize(const std::string& name) {
                                        : (0.06 + 0.013 * numberIn(number)) * kInch;
     const ThreadSize* known = unifiedOf(diameter);
     if (known == nullptr) continue;
+    const double fine = known->finePitches.empty() ? 0.0 : known->finePitches.front();
     SizeText size;
     size.diameter = diameter;
     size.text = isFraction ? match[3].str() + "/" + match[4].str() : "#" + number;
     if (match[7].matched) {
-      size.pitch = match[7] == "UNF" ? known->finePitch : known->pitch;
+      size.pitch = match[7] == "UNF" ? fine : known->pitch;
       size.text += " " + match[7].str();
     } else {
       size.pitch = kInch / numberIn(match[6]);
       size.text += "-" + match[6].str();
     }
     const auto isOne = [&](double pitch) { return std::abs(size.pitch - pitch) < 1e-3 * size.pitch; };
-    const bool isStandard = isOne(known->pitch) || isOne(known->finePitch);
+    const bool isStandard = isOne(known->pitch) || isOne(fine);
     // "10-32" alone may be any two numbers.
     const bool isSure = isFraction || match[1].matched || (isStandard && (match[7].matched || match[8].matched));
     if (isSure && size.pitch > 0.0) return size;

@@ -454,8 +454,9 @@ class FitFinder {
   Freedom freedomOf(const std::vector<Fit>& taken, std::size_t obstacle, const FoundContact& found) {
     if (taken.empty()) return Freedom::None;
     if (!hasShaft(found.contact)) return Freedom::All;
-    if (!slides(taken, obstacle, found)) return Freedom::None;
-    return turns(taken, obstacle, found) ? Freedom::All : Freedom::Slides;
+    const CollisionWorldPtr pair = pairTaken(taken, obstacle);
+    if (!slides(*pair, obstacle, found)) return Freedom::None;
+    return turns(*pair, found) ? Freedom::All : Freedom::Slides;
   }
 
   CollisionWorldPtr pairTaken(const std::vector<Fit>& taken, std::size_t obstacle) const {
@@ -465,10 +466,10 @@ class FitFinder {
     return pairOf(object, obstacle, other);
   }
 
-  /// Taken so, the object is free at any of some angles about the axis of the pair.
-  bool turns(const std::vector<Fit>& taken, std::size_t obstacle, const FoundContact& found) const {
+  /// The object is free at each of some angles about the axis of the pair.
+  bool turns(const CollisionWorld& pair, const FoundContact& found) const {
     constexpr int kAngles = 13;  // a prime number: no polygon has so many sides
-    const auto query = pairTaken(taken, obstacle)->makeQuery();
+    const auto query = pair.makeQuery();
     const Vector3 axis = found.contact.axis->direction.normalized();
     const Vector3& point = found.contact.axis->point;
     for (int i = 1; i < kAngles; ++i) {
@@ -480,9 +481,9 @@ class FitFinder {
     return true;
   }
 
-  /// Taken so, the object moves along the axis of the pair, the one way or the other, until it is past the obstacle.
-  bool slides(const std::vector<Fit>& taken, std::size_t obstacle, const FoundContact& found) {
-    const auto query = pairTaken(taken, obstacle)->makeQuery();
+  /// The object moves along the axis of the pair, the one way or the other, until it is past the obstacle.
+  bool slides(const CollisionWorld& pair, std::size_t obstacle, const FoundContact& found) const {
+    const auto query = pair.makeQuery();
     const Pose& from = found.measuredAt;
     const Vector3 axis = found.contact.axis->direction.normalized();
     const double way = (boundingBox(*object_.mesh, from).sizes() + boxOf(obstacle).sizes()).norm();

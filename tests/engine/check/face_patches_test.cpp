@@ -82,7 +82,7 @@ TEST(FacePatches, AShaftIsCutAcrossItsFacets) {
   const Body shaft = test::checkBody("shaft", test::prism(kFacets, 0.0101, 0.4), {0.0, 0.0, -0.15});
   const AllowanceBound bound = boundOf(shaft, hole);
   ASSERT_TRUE(bound.mesh);
-  EXPECT_LT(bound.mesh->triangles.size(), 64U * kFacets) << "halves of its long facets would be more";
+  EXPECT_LE(bound.mesh->triangles.size(), 28U * kFacets) << "six cuts with four triangles each, and the ends";
   EXPECT_NEAR(areaOf(*bound.mesh), areaOf(*shaft.mesh), 1e-12) << "the surface is the same";
   EXPECT_TRUE(inPlace({"fine", "fine", bound.mesh, Pose::identity()}).interior) << "no edge is open";
   const double angle = std::numbers::pi / kFacets;
@@ -90,6 +90,38 @@ TEST(FacePatches, AShaftIsCutAcrossItsFacets) {
   EXPECT_GT(allowedAt(bound, across + Vector3(0.0, 0.0, 0.01)), 9e-5);
   EXPECT_LT(allowedAt(bound, across + Vector3(0.0, 0.0, -0.005)), 2e-5) << "outside of the hole";
   EXPECT_LT(allowedAt(bound, across + Vector3(0.0, 0.0, 0.025)), 2e-5);
+}
+
+TEST(FacePatches, AShaftIsCutAtAllItsHolesAtOnce) {
+  constexpr int kFacets = 96;
+  TriangleMesh walls = test::holedPlate(kFacets, 0.01, 0.05, 0.0, 0.02);
+  append(walls, test::holedPlate(kFacets, 0.01, 0.05, 0.1, 0.11));
+  const Body holes = test::checkBody("holes", walls);
+  const Body shaft = test::checkBody("shaft", test::prism(kFacets, 0.0101, 0.4, 0.01), {0.0, 0.0, -0.15});
+  const AllowanceBound bound = boundOf(shaft, holes);
+  ASSERT_TRUE(bound.mesh);
+  EXPECT_LE(bound.mesh->triangles.size(), 52U * kFacets) << "twelve cuts with four triangles each, and the ends";
+  EXPECT_NEAR(areaOf(*bound.mesh), areaOf(*shaft.mesh), 1e-12) << "the surface is the same";
+  EXPECT_TRUE(inPlace({"fine", "fine", bound.mesh, Pose::identity()}).interior) << "no edge is open";
+  for (const double height : {0.01, 0.105}) EXPECT_GT(allowedAt(bound, {0.0101, 0.0, height}), 9e-5);
+  for (const double height : {-0.01, 0.05, 0.13}) EXPECT_LT(allowedAt(bound, {0.0101, 0.0, height}), 2e-5);
+}
+
+TEST(RoundFaces, ACylinderThatIsSmoothAndStatedIsOne) {
+  constexpr std::uint32_t kFacets = 24;
+  TriangleMesh mesh = test::prism(kFacets, 0.01, 0.04);
+  const SurfaceFace end{SurfaceFace::Kind::Plane};
+  SurfaceFace wall{SurfaceFace::Kind::Cylinder};
+  wall.radius = 0.01;
+  mesh.faces = {end, wall, wall};
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    mesh.faceOf.push_back(t % 4 >= 2 ? 0U : 1U + t / (2U * kFacets));  // two halves of the wall
+  }
+  const PlacedBody body = inPlace(test::checkBody("shaft", mesh));
+  ASSERT_EQ(body.rounds.size(), 1U);
+  EXPECT_TRUE(body.rounds.front().isShaft);
+  EXPECT_NEAR(body.rounds.front().radius, 0.01, 1e-9);
+  EXPECT_NEAR(body.rounds.front().high - body.rounds.front().low, 0.04, 1e-9);
 }
 
 }  // namespace
