@@ -261,7 +261,7 @@ Result<AssemblyPlan> resumedPlan(const SequenceOptions& options) {
 
 /// Changes the error of a wrong cost so that it names the option, if the option gave the cost.
 Diagnostic ofOptions(Diagnostic why, const SequenceOptions& options) {
-  if (options.cost.empty() || why.location != "/sequence/cost") return why;
+  if (options.cost.empty() || why.location != Location("/sequence/cost")) return why;
   why.kind = ErrorKind::Usage;
   why.location = "--cost";
   return why;
