@@ -6,7 +6,12 @@ namespace glissade::check {
 
 Condition clashIsAccepted(double depth) {
   return {{GLISSADE_TEXT("clashes up to %1 are accepted (--accept-clashes %2)"), {Depth{depth}, depthAsOption(depth)}},
-          depth};
+          depth,
+          {}};
+}
+
+Condition isTheOneCut(const std::string& body, const std::string& option) {
+  return {{GLISSADE_TEXT("'%1' is the one that is cut (--cut \"%2\")"), {body, option}}, 0.0, option};
 }
 
 Condition hookBends(const std::string& hook, const std::string& edge, double bend) {

@@ -11,6 +11,7 @@ namespace glissade::check {
 struct Condition {
   Message text;                ///< text for people, to follow "valid only if"
   double acceptedClash = 0.0;  ///< metres: clashes up to this overlap are accepted; 0: another condition
+  std::string cut{};           ///< name of a body that is cut in accepted clashes; empty: another condition
 
   bool operator==(const Condition&) const = default;
 };
@@ -18,6 +19,8 @@ struct Condition {
 // All conditions that a plan may state. Bodies by their names for people, lengths in metres.
 
 Condition clashIsAccepted(double depth);
+/// `option`: the name by which a person names the body (--cut).
+Condition isTheOneCut(const std::string& body, const std::string& option);
 Condition hookBends(const std::string& hook, const std::string& edge, double bend);
 Condition isFlexible(const std::string& body);
 Condition noJointsAreUsed();

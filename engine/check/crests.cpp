@@ -75,18 +75,29 @@ bool isUnbroken(const std::vector<Around>& crests, double pitch) {
   return crests.size() >= kFewest;
 }
 
+/// Some of the crests, in equal steps of their order: there are about 1500 trials of a pitch, and each looks at them all.
+std::vector<Around> someOf(const std::vector<Around>& crests) {
+  constexpr std::size_t kMostTried = 480;
+  const std::size_t step = (crests.size() + kMostTried - 1) / kMostTried;
+  std::vector<Around> some;
+  for (std::size_t i = 0; i < crests.size(); i += step) some.push_back(crests[i]);
+  return some;
+}
+
 /// The pitch of the helix that the crests are, by trial: the largest of those that put them at one side of the axis
 /// best. Between two trials a crest turns by less than an eighth of a turn.
 std::optional<double> pitchOfHelix(const std::vector<Around>& crests, double diameter) {
   constexpr double kBetter = 1.01;
   constexpr double kLeastLength = 0.6;
+  if (!isUnbroken(crests, (1.0 + kPitchOff) * kMostPitch * diameter)) return std::nullopt;
+  const std::vector<Around> tried = someOf(crests);
   const double span = crests.back().height - crests.front().height;
   double best = 0.0;
   double longest = kLeastLength;
   for (double pitch = kMostPitch * diameter; pitch >= kLeastPitch * diameter;
        pitch -= 0.125 * pitch * std::min(1.0, pitch / span)) {
     for (const double hand : {pitch, -pitch}) {
-      const double length = meanOf(crests.data(), crests.data() + crests.size(), hand).length;
+      const double length = meanOf(tried.data(), tried.data() + tried.size(), hand).length;
       if (length <= kBetter * longest) continue;
       longest = length;
       best = hand;
@@ -254,7 +265,7 @@ bool areHelix(const std::vector<Around>& crests, double pitch) {
   return drift <= kPitchOff * (upper.height - lower.height);
 }
 
-std::optional<DrawnCrests> crestsInto(const RoundFace& face, const TriangleMesh& body) {
+std::optional<DrawnCrests> crestsInto(const RoundFace& face, const TriangleMesh& body, const StopToken& stop) {
   const WallReach reach(face);
   std::vector<Vector3> into;
   std::copy_if(body.vertices.begin(), body.vertices.end(), std::back_inserter(into),
@@ -262,7 +273,7 @@ std::optional<DrawnCrests> crestsInto(const RoundFace& face, const TriangleMesh&
   if (into.empty()) return std::nullopt;
   RoundFace about = face;
   // Screws are placed beside the axes of their holes. The first tips show about where, the next ones exactly.
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kRounds && !stop.stopRequested(); ++round) {
     const std::vector<Vector3> tips = tipsOf(into, about);
     std::vector<double> radii;
     for (const Vector3& tip : tips) radii.push_back((tip - about.point).cross(about.axis).norm());

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/base/stop_token.h"
 #include "engine/check/round_faces.h"
 #include "engine/geometry/triangle_mesh.h"
 
@@ -38,7 +39,7 @@ struct DrawnCrests {
 /// The crests of a body that go into the wall of a round face of another one: outwards from a shaft into a hole, or
 /// inwards from a hole into a shaft. Nothing where the body has none there, where they are not all around the axis of
 /// the face, or where they are neither a helix of one start nor three rings or more at equal distances in a hole: a
-/// knurl, a smooth cylinder, a collar, a thread of several starts. `body`: in the frame of the face.
-std::optional<DrawnCrests> crestsInto(const RoundFace& face, const TriangleMesh& body);
+/// knurl, a smooth cylinder, a collar, a thread of several starts; also after a stop. `body`: in the frame of the face.
+std::optional<DrawnCrests> crestsInto(const RoundFace& face, const TriangleMesh& body, const StopToken& stop = {});
 
 }  // namespace glissade::check

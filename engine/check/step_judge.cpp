@@ -166,22 +166,62 @@ class StepJudge {
     return farthest;
   }
 
-  /// The pair as the step states it. If only the acceptance of a clash is missing, the verdict gets a condition.
+  /// The pair as the step states it. What only the plan says of it, that its clash is accepted or which body is cut,
+  /// becomes a condition of the verdict.
   PairFit takenFit(const PairQuestion& asked, StepVerdict& verdict) const {
-    PairFit fit = fitOf(asked, product_.fits, placed_, watch_.stop);
-    if (fit.refusals.empty() || !product_.fits.on) return fit;
+    if (!product_.fits.on) return fitOf(asked, product_.fits, placed_, watch_.stop);
+    if (auto fit = takenBy(product_.fits, asked, verdict)) return std::move(*fit);
+    if (const Body* cut = cutByPlan(asked)) {
+      FitWords words = product_.fits;
+      words.cut.push_back(cut->id);
+      if (auto fit = takenBy(words, asked, verdict)) {
+        verdict.conditions.push_back(isTheOneCut(cut->name, idAsOption(cut->id)));
+        return std::move(*fit);
+      }
+    }
+    return fitOf(asked, product_.fits, placed_, watch_.stop);
+  }
+
+  /// The pair by these words. If only the acceptance of a clash is missing, the verdict gets a condition. Nothing: the
+  /// pair is refused.
+  std::optional<PairFit> takenBy(FitWords words, const PairQuestion& asked, StepVerdict& verdict) const {
+    PairFit fit = fitOf(asked, words, placed_, watch_.stop);
+    if (fit.refusals.empty()) return fit;
     double claimed = 0.0;
     for (const StatedAllowance& each : *asked.stated) {
       if (each.isAbout(asked.moving.id, asked.other.id, asked.first)) claimed = std::max(claimed, each.allowance);
     }
-    FitWords words = product_.fits;
-    words.acceptedClash = std::max(words.acceptedClash, (1.0 + kEstimate) * claimed);
+    const double byPerson = words.acceptedClash;
+    words.acceptedClash = std::max(byPerson, (1.0 + kEstimate) * claimed);
     PairFit accepted = fitOf(asked, words, placed_, watch_.stop);
-    if (!accepted.refusals.empty()) return fit;
-    words.acceptedClash = std::max(product_.fits.acceptedClash, accepted.depth);
+    if (!accepted.refusals.empty()) return std::nullopt;
+    words.acceptedClash = std::max(byPerson, accepted.depth);
     const bool isEnough = fitOf(asked, words, placed_, watch_.stop).refusals.empty();
     verdict.conditions.push_back(clashIsAccepted(isEnough ? accepted.depth : (1.0 + kEstimate) * claimed));
     return accepted;
+  }
+
+  /// The body of the pair that the step says is cut; null: it says none, or a person names one of the two.
+  const Body* cutByPlan(const PairQuestion& asked) const {
+    const auto isNamed = [&](const Body& body) { return product_.fits.isCut(body.id); };
+    if (isNamed(asked.moving) || isNamed(asked.other)) return nullptr;
+    for (const StatedAllowance& each : *asked.stated) {
+      const bool isHere = each.isAbout(asked.moving.id, asked.other.id, asked.first);
+      if (isHere && each.hollow) return each.yields ? &asked.other : &asked.moving;
+    }
+    return nullptr;
+  }
+
+  /// The shortest end of the id that names no other body of the product; the id where there is none.
+  std::string idAsOption(const std::string& id) const {
+    for (std::size_t slash = id.rfind('/'); slash != std::string::npos && slash > 0; slash = id.rfind('/', slash - 1)) {
+      FitWords words;
+      words.cut = {id.substr(slash + 1)};
+      const auto named = std::count_if(product_.bodies.begin(), product_.bodies.end(),
+                                       [&](const Body& body) { return words.isCut(body.id); });
+      if (named == 1) return words.cut.front();
+    }
+    return id;
   }
 
   void judgeBends(const PairQuestion& asked, const PairFit& fit, StepVerdict& verdict) const {

@@ -447,6 +447,7 @@ Report conditionsJson(const std::vector<Condition>& conditions) {
   for (const Condition& each : conditions) {
     list.push_back({{"text", toString(each.text)}});
     if (each.acceptedClash > 0.0) list.back()["accept_clashes_m"] = each.acceptedClash;
+    if (!each.cut.empty()) list.back()["cut"] = each.cut;
   }
   return list;
 }

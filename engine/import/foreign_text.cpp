@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
+#include <iterator>
 
 #include "engine/base/utf8.h"
 
@@ -23,6 +24,23 @@ bool isLoaded(iconv_t converter) { return reinterpret_cast<std::intptr_t>(conver
 
 bool isIn(Byte byte, Byte first, Byte last) { return byte >= first && byte <= last; }
 bool isHigh(Byte byte) { return byte >= 0x80; }
+
+/// In UTF-8, what is no character.
+constexpr std::string_view kUnknown = "\xef\xbf\xbd";
+
+/// The number of bytes of a character that is cut at the end of UTF-8, two or three; 0: nothing is cut. Programs cut
+/// long names, and not always between characters. One byte alone may be a letter of Windows-1252.
+std::size_t cutBytesOf(std::string_view name) {
+  for (const std::size_t count : {std::size_t{2}, std::size_t{3}}) {
+    if (name.size() < count) break;
+    const std::string_view cut = name.substr(name.size() - count);
+    const bool isLead = isIn(static_cast<Byte>(cut.front()), count == 2 ? 0xe0 : 0xf0, 0xf4);
+    const bool goesOn =
+        std::all_of(cut.begin() + 1, cut.end(), [](char c) { return isIn(static_cast<Byte>(c), 0x80, 0xbf); });
+    if (isLead && goesOn && isUtf8(name.substr(0, name.size() - count))) return count;
+  }
+  return 0;
+}
 
 /// Number of high bytes in names, and of those that belong to usual characters of an encoding.
 struct Usual {
@@ -146,7 +164,6 @@ ForeignText::~ForeignText() {
 
 /// Bytes that are no character of the encoding become U+FFFD; so do all if the C library does not have the encoding.
 std::string ForeignText::decoded(std::string_view name, std::size_t encoding) const {
-  constexpr std::string_view kUnknown = "\xef\xbf\xbd";
   constexpr std::size_t kMostBytes = 4;  // bytes of a character in UTF-8
   std::string in(name);
   std::string text(kMostBytes * in.size(), '\0');
@@ -173,7 +190,10 @@ std::optional<ForeignNames> ForeignText::makeUtf8(std::vector<char>& text) const
   const std::string_view before(text.data(), text.size());
   if (isUtf8(before)) return std::nullopt;
   const std::vector<std::string_view> pieces = foreignPiecesOf(before);
-  const Guess guess = guessed(pieces);
+  std::vector<std::string_view> foreign;
+  std::copy_if(pieces.begin(), pieces.end(), std::back_inserter(foreign),
+               [](std::string_view piece) { return cutBytesOf(piece) == 0; });
+  const Guess guess = guessed(foreign);
   ForeignNames read{kShownNames[guess.encoding], guess.isSure, ""};
   std::vector<char> after;
   after.reserve(text.size() + text.size() / 8);
@@ -181,14 +201,16 @@ std::optional<ForeignNames> ForeignText::makeUtf8(std::vector<char>& text) const
   for (const std::string_view piece : pieces) {
     const auto begin = text.cbegin() + (piece.data() - text.data());
     after.insert(after.end(), at, begin);
-    const std::string utf8 = decoded(piece, guess.encoding);
-    if (read.example.empty()) read.example = utf8;
+    const std::size_t cut = cutBytesOf(piece);
+    const std::string utf8 = cut > 0 ? std::string(piece.substr(0, piece.size() - cut)).append(kUnknown)
+                                     : decoded(piece, guess.encoding);
+    if (cut == 0 && read.example.empty()) read.example = utf8;
     after.insert(after.end(), utf8.begin(), utf8.end());
     at = begin + static_cast<std::ptrdiff_t>(piece.size());
   }
   after.insert(after.end(), at, text.cend());
   text = std::move(after);
-  return read;
+  return foreign.empty() ? std::nullopt : std::optional(std::move(read));
 }
 
 }  // namespace glissade

@@ -26,7 +26,8 @@ class ForeignText {
   ForeignText(const ForeignText&) = delete;
   ForeignText& operator=(const ForeignText&) = delete;
 
-  /// Converts the text to UTF-8; nothing if it is UTF-8.
+  /// Converts the text to UTF-8; nothing if it is UTF-8. Names in UTF-8 whose last character is cut do not count: that
+  /// character becomes U+FFFD.
   std::optional<ForeignNames> makeUtf8(std::vector<char>& text) const;
 
  private:

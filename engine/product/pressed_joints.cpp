@@ -285,8 +285,9 @@ class PressedJointFinder {
     return joint;
   }
 
+  /// Diameters are compared.
   static Message fitWords(const HostFit& fit) {
-    if (fit.excess > 0.0) return {GLISSADE_TEXT("it is %1 thicker than its hole"), {Length{fit.excess}}};
+    if (fit.excess > 0.0) return {GLISSADE_TEXT("it is %1 thicker than its hole"), {Length{2.0 * fit.excess}}};
     return GLISSADE_TEXT("it is as wide as its hole");
   }
 

@@ -297,7 +297,7 @@ class ThreadedJointFinder {
       if (on < kOnShaft * shape.length()) continue;
       const NutOnShaft found = nutOnShaft(shapes_, said_, {nut, rod, radius, isScrew(rod)});
       if (!found.isThread) continue;
-      joints.push_back(nutOnRod(nut, rod, shape, axis, on));
+      joints.push_back(nutOnRod({nut, rod, radius}, shape, axis, on));
       joints.back().evidence.push_back(found.evidence);
       addDoubt(found.doubt, found.isDeepened, joints.back());
       return;
@@ -318,7 +318,10 @@ class ThreadedJointFinder {
     return {thickest, on};
   }
 
-  Joint nutOnRod(std::size_t nut, std::size_t rod, const TurnedShape& shape, const AxisLine& axis, double on) const {
+  /// A thread is called by the wider of shaft and hole: one of them may be drawn as its core.
+  Joint nutOnRod(const NutAndShaft& pair, const TurnedShape& shape, const AxisLine& axis, double on) const {
+    const auto [nut, rod, shaft, isScrew] = pair;
+    const double radius = std::max(shaft, shape.hole);
     double low = shape.low;
     double high = shape.high;
     for (const Vector3& vertex : shapes_.body(rod).mesh->vertices) {
@@ -334,8 +337,8 @@ class ThreadedJointFinder {
     joint.point = axis.point;
     joint.direction = isUp ? axis.direction : Vector3(-axis.direction);
     JointThread thread;
-    thread.diameter = 2.0 * shape.hole;
-    thread.pitch = isoCoarsePitch(shape.hole).pitch;
+    thread.diameter = 2.0 * radius;
+    thread.pitch = isoCoarsePitch(radius).pitch;
     thread.engaged = on;
     thread.travel = isUp ? high - shape.low : shape.high - low;
     joint.thread = thread;

@@ -81,7 +81,7 @@ class ThreadJointMaker {
       joint.driveSize = *flats;
     }
     joint.evidence.push_back({GLISSADE_TEXT("a shaft of %1 is %2 thicker than the hole around it, as a thread is"),
-                              {Length{2.0 * thread.shaft}, Length{thread.depth()}}});
+                              {Length{2.0 * thread.shaft}, Length{2.0 * thread.depth()}}});
     joint.evidence.emplace_back(GLISSADE_TEXT("neither body is a screw or a nut by its shape"));
     if (turned.isPitchStated) joint.evidence.emplace_back(kModelledHelix);
     return joint;
@@ -205,6 +205,7 @@ class ThreadedPartFinder {
     Box3 near = shapes_.box(crested);
     TriangleMesh inWorld;
     for (const CylinderRegion& wall : cylindersOf(other)) {
+      if (stop_.stopRequested()) break;
       const Vector3 low = wall.point + wall.low * wall.direction;
       const Vector3 high = wall.point + wall.high * wall.direction;
       if (!near.intersects(Box3(low.cwiseMin(high), low.cwiseMax(high)))) continue;
@@ -212,7 +213,7 @@ class ThreadedPartFinder {
         inWorld = transformed(*shapes_.body(crested).mesh, shapes_.body(crested).X_WB);
       }
       const check::RoundFace face{wall.point, wall.direction, wall.radius, wall.shaft, wall.low, wall.high};
-      const auto crests = check::crestsInto(face, inWorld);
+      const auto crests = check::crestsInto(face, inWorld, stop_);
       if (!crests || crests->pitch == 0.0) continue;
       const Span ofCrests{crests->low, crests->high};
       const Span ofWall{wall.low, wall.high};

@@ -2705,36 +2705,84 @@
         <translation>&amp;La supprimer et prendre la nouvelle</translation>
     </message>
     <message>
+        <source>hand, forearm and tool were sampled along each motion: this is no proof of what lies between the samples, and the rest of the body is not considered</source>
+        <translation>la main, l&apos;avant-bras et l&apos;outil ont été échantillonnés le long de chaque mouvement : cela ne prouve rien entre les échantillons, et le reste du corps n&apos;est pas considéré</translation>
+    </message>
+    <message>
+        <source>the hand gets there</source>
+        <translation>la main passe</translation>
+    </message>
+    <message>
+        <source>the hand is blocked, %1 of the way from the place</source>
+        <translation>la main est bloquée, à %1 du trajet à partir de l&apos;endroit</translation>
+    </message>
+    <message>
+        <source>the hand is blocked by &apos;%1&apos;, %2 of the way from the place</source>
+        <translation>la main est bloquée par « %1 », à %2 du trajet à partir de l&apos;endroit</translation>
+    </message>
+    <message>
+        <source>no place of it fits into one hand</source>
+        <translation>aucun endroit n&apos;en tient dans une main</translation>
+    </message>
+    <message>
+        <source>not asked</source>
+        <translation>non demandé</translation>
+    </message>
+    <message>
+        <source>%1 of the place is seen</source>
+        <translation>%1 de l&apos;endroit sont visibles</translation>
+    </message>
+    <message>
+        <source>%1 of the place is seen, hidden by &apos;%2&apos;</source>
+        <translation>%1 de l&apos;endroit sont visibles, le reste est caché par « %2 »</translation>
+    </message>
+    <message>
+        <source>%1 with the tool (%2)</source>
+        <translation>%1 avec l&apos;outil (%2)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps are reached and seen by the hand %3</source>
+        <translation>%1 étapes sur %2 sont accessibles et visibles pour la main %3</translation>
+    </message>
+    <message>
         <source>one of them is needed, and not both</source>
-        <translation type="unfinished"></translation>
+        <translation>il faut l&apos;une des deux, et pas les deux</translation>
     </message>
     <message>
         <source>Give a path of the scenario&apos;s object, or an assembly plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Donnez un chemin de l&apos;objet du scénario, ou un plan d&apos;assemblage.</translation>
     </message>
     <message>
         <source>is not a place</source>
-        <translation type="unfinished"></translation>
+        <translation>n&apos;est pas un endroit</translation>
     </message>
     <message>
         <source>Give three numbers in metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>Donnez trois nombres en mètres.</translation>
+    </message>
+    <message>
+        <source>%1 % judged</source>
+        <translation>%1 % jugés</translation>
     </message>
     <message>
         <source>is for assembly plans: a path is of a scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>est réservée aux plans d&apos;assemblage : un chemin appartient à un scénario</translation>
     </message>
     <message>
         <source>Remove the body from the scenario.</source>
-        <translation type="unfinished"></translation>
+        <translation>Retirez le corps du scénario.</translation>
     </message>
     <message>
         <source>is for assembly plans: a path states no words of a person</source>
-        <translation type="unfinished"></translation>
+        <translation>est réservée aux plans d&apos;assemblage : un chemin n&apos;énonce aucune parole d&apos;une personne</translation>
     </message>
     <message>
         <source>Leave it out.</source>
-        <translation>Omettez-le.</translation>
+        <translation>Omettez-la.</translation>
     </message>
     <message>
         <source>is below zero</source>
@@ -2742,63 +2790,881 @@
     </message>
     <message>
         <source>Give seconds, 0 for none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Donnez des secondes, 0 pour aucune limite.</translation>
+    </message>
+    <message>
+        <source>wrote %1</source>
+        <translation>%1 a été écrit</translation>
     </message>
     <message>
         <source>this format holds more than the path</source>
-        <translation type="unfinished"></translation>
+        <translation>ce format contient plus que le chemin</translation>
     </message>
     <message>
         <source>Name the scenario with --scenario, or write OMPL&apos;s format (.path).</source>
-        <translation type="unfinished"></translation>
+        <translation>Nommez le scénario avec --scenario, ou écrivez le format d&apos;OMPL (.path).</translation>
+    </message>
+    <message>
+        <source>the trees came within %1 m of each other, from %2 to %3</source>
+        <translation>les arbres se sont approchés à %1 m l&apos;un de l&apos;autre, de %2 à %3</translation>
+    </message>
+    <message>
+        <source>%1; between the object and the goal&apos;s tree stands &apos;%2&apos;, at %3</source>
+        <translation>%1 ; entre l&apos;objet et l&apos;arbre du but se trouve « %2 », en %3</translation>
+    </message>
+    <message>
+        <source>tightest passage reached: %1 mm to &apos;%2&apos;, at %3</source>
+        <translation>passage le plus étroit atteint : %1 mm par rapport à « %2 », en %3</translation>
+    </message>
+    <message>
+        <source>with %1 mm given between the object and &apos;%2&apos;, at %3, there is a way of %4 configurations</source>
+        <translation>si l&apos;on accorde %1 mm entre l&apos;objet et « %2 », en %3, il existe un chemin de %4 configurations</translation>
+    </message>
+    <message>
+        <source>no erosion of the object that was tried opens a way</source>
+        <translation>aucun des amincissements essayés de l&apos;objet n&apos;ouvre de chemin</translation>
+    </message>
+    <message>
+        <source>octree     %1 levels, cells: %2 free, %3 mobile, %4 static</source>
+        <translation>octree         %1 niveaux, cellules : %2 libres, %3 mobiles, %4 statiques</translation>
+    </message>
+    <message>
+        <source>places (%1)</source>
+        <translation>lieux (%1)</translation>
+    </message>
+    <message>
+        <source>passage</source>
+        <translation>passage</translation>
+    </message>
+    <message>
+        <source>  %1complexity %2narrowness %3compatibility %4%5%6</source>
+        <translation>  %1complexité %2étroitesse %3compatibilité %4%5%6</translation>
+    </message>
+    <message>
+        <source>cluttered</source>
+        <translation>encombré</translation>
+    </message>
+    <message>
+        <source>borders</source>
+        <translation>frontières</translation>
+    </message>
+    <message>
+        <source>  %1 - %2, opening %3 m2 at %4</source>
+        <translation>  %1 - %2, ouverture de %3 m2 en %4</translation>
+    </message>
+    <message>
+        <source>both by %1</source>
+        <translation>a et b de %1</translation>
+    </message>
+    <message>
+        <source>the volumes that solids have in common are not known: %1</source>
+        <translation>les volumes que les solides ont en commun ne sont pas connus : %1</translation>
+    </message>
+    <message>
+        <source>clash</source>
+        <translation>interférence</translation>
+    </message>
+    <message>
+        <source>without overlap</source>
+        <translation>sans recouvrement</translation>
+    </message>
+    <message>
+        <source>a by %1</source>
+        <translation>a de %1</translation>
+    </message>
+    <message>
+        <source>b by %1</source>
+        <translation>b de %1</translation>
+    </message>
+    <message>
+        <source>common volumes of the solids in the file:</source>
+        <translation>volumes communs des solides du fichier :</translation>
+    </message>
+    <message>
+        <source>  &apos;%1&apos; and &apos;%2&apos;: %3, %4 deep</source>
+        <translation>  « %1 » et « %2 » : %3, sur %4 de profondeur</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>recouvrement</translation>
+    </message>
+    <message>
+        <source>gap</source>
+        <translation>écart</translation>
+    </message>
+    <message>
+        <source>%1 pairs of %2 bodies</source>
+        <translation>%1 paires de %2 corps</translation>
+    </message>
+    <message>
+        <source>taken thinner</source>
+        <translation>amincissement</translation>
+    </message>
+    <message>
+        <source>gap or overlap</source>
+        <translation>écart ou recouvrement</translation>
+    </message>
+    <message>
+        <source>kind</source>
+        <translation>type</translation>
     </message>
     <message>
         <source>Give a length, as 0.5mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Donnez une longueur, comme 0.5mm.</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>fermé</translation>
+    </message>
+    <message>
+        <source>OPEN</source>
+        <translation>OUVERT</translation>
+    </message>
+    <message>
+        <source>  %1%2%3 triangles  %4  %5 x %6 x %7 m</source>
+        <translation>  %1%2%3 triangles  %4  %5 x %6 x %7 m</translation>
+    </message>
+    <message>
+        <source>%1  within %2 mm of its surface</source>
+        <translation>%1  à %2 mm au plus de sa surface</translation>
+    </message>
+    <message>
+        <source>%1  coordinate spacing %2 mm</source>
+        <translation>%1  espacement des coordonnées %2 mm</translation>
+    </message>
+    <message>
+        <source>assemblies</source>
+        <translation>assemblages</translation>
+    </message>
+    <message>
+        <source>%1  %2 body%3</source>
+        <translation>%1  %2 corps%3</translation>
+    </message>
+    <message>
+        <source>%1  %2 bodies%3</source>
+        <translation>%1  %2 corps%3</translation>
+    </message>
+    <message>
+        <source>workspace  x %1 ... %2, y %3 ... %4, z %5 ... %6 m</source>
+        <translation>espace         x %1 ... %2, y %3 ... %4, z %5 ... %6 m</translation>
+    </message>
+    <message>
+        <source>goal       out</source>
+        <translation>but            dehors</translation>
+    </message>
+    <message>
+        <source>goal       a configuration</source>
+        <translation>but            une configuration</translation>
+    </message>
+    <message>
+        <source>planner    %1</source>
+        <translation>planificateur  %1</translation>
+    </message>
+    <message>
+        <source>seed       %1</source>
+        <translation>graine         %1</translation>
+    </message>
+    <message>
+        <source>bodies</source>
+        <translation>corps</translation>
+    </message>
+    <message>
+        <source>object</source>
+        <translation>objet</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>millimètres</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>centimètres</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>mètres</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>pouces</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>pieds</translation>
+    </message>
+    <message>
+        <source>units of %1</source>
+        <translation>unités de %1</translation>
+    </message>
+    <message>
+        <source>shapes that are no bodies  %1</source>
+        <translation>formes qui ne sont pas des corps  %1</translation>
+    </message>
+    <message>
+        <source>%1 bodies, %2 different meshes, %3 triangles</source>
+        <translation>%1 corps, %2 maillages différents, %3 triangles</translation>
+    </message>
+    <message>
+        <source>%1, lengths in %2</source>
+        <translation>%1, longueurs en %2</translation>
     </message>
     <message>
         <source>needs a scenario: a part file has no object</source>
-        <translation type="unfinished"></translation>
+        <translation>demande un scénario : un fichier de pièces n&apos;a pas d&apos;objet</translation>
     </message>
     <message>
         <source>Make a scenario of the file with glissade-cli new.</source>
-        <translation type="unfinished"></translation>
+        <translation>Faites un scénario de ce fichier avec glissade-cli new.</translation>
+    </message>
+    <message>
+        <source>%1 x %2 mm, %3 mm engaged</source>
+        <translation>%1 x %2 mm, en prise sur %3 mm</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>état</translation>
+    </message>
+    <message>
+        <source>body</source>
+        <translation>corps</translation>
+    </message>
+    <message>
+        <source>in or on</source>
+        <translation>dans ou sur</translation>
+    </message>
+    <message>
+        <source>clamps</source>
+        <translation>serre</translation>
+    </message>
+    <message>
+        <source>thread</source>
+        <translation>filetage</translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <translation>tours</translation>
+    </message>
+    <message>
+        <source>drive</source>
+        <translation>empreinte</translation>
+    </message>
+    <message>
+        <source>evidence</source>
+        <translation>indices</translation>
+    </message>
+    <message>
+        <source>%1 joints of %2 bodies</source>
+        <translation>%1 liaisons de %2 corps</translation>
+    </message>
+    <message>
+        <source>screws in bodies without a hole in the file, each of which makes its own: %1</source>
+        <translation>vis dans des corps sans trou dans le fichier, qui font chacune le leur : %1</translation>
+    </message>
+    <message>
+        <source>joints whose evidence contradicts itself, for a person to decide (?): %1</source>
+        <translation>liaisons dont les indices se contredisent, à trancher par une personne (?) : %1</translation>
     </message>
     <message>
         <source>was interrupted</source>
         <translation>a été interrompu</translation>
     </message>
     <message>
+        <source>One JSON object on standard output and nothing else</source>
+        <translation>Un objet JSON sur la sortie standard et rien d&apos;autre</translation>
+    </message>
+    <message>
+        <source>is below zero: give a length, as 1.5mm</source>
+        <translation>est inférieur à zéro : donnez une longueur, comme 1.5mm</translation>
+    </message>
+    <message>
+        <source>Take clashes up to this overlap as fits, as 1.5mm</source>
+        <translation>Prendre les collisions jusqu&apos;à ce recouvrement pour des ajustements, comme 1.5mm</translation>
+    </message>
+    <message>
+        <source>In accepted clashes, the body that is cut where it is not clear which of the two has the hole</source>
+        <translation>Dans les collisions acceptées, le corps qui est découpé lorsqu&apos;on ne sait pas lequel des deux a le trou</translation>
+    </message>
+    <message>
+        <source>Whether bodies that fit where they are assembled are taken thinner against each other: on or off (default: %1)</source>
+        <translation>Si les corps ajustés à leur place assemblée sont amincis l&apos;un face à l&apos;autre : on ou off (par défaut : %1)</translation>
+    </message>
+    <message>
+        <source>Plan a motion and deliver it with its certificate</source>
+        <translation>Planifier un mouvement et le livrer avec son certificat</translation>
+    </message>
+    <message>
+        <source>Scenario file or OMPL.app .cfg</source>
+        <translation>Fichier de scénario ou .cfg d&apos;OMPL.app</translation>
+    </message>
+    <message>
+        <source>Planner: %1 (default: the scenario&apos;s)</source>
+        <translation>Planificateur : %1 (par défaut : celui du scénario)</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not kernel or fcl</source>
+        <translation>« %1 » n&apos;est ni kernel ni fcl</translation>
+    </message>
+    <message>
+        <source>Collision checker: kernel or fcl (default: kernel)</source>
+        <translation>Détecteur de collisions : kernel ou fcl (par défaut : kernel)</translation>
+    </message>
+    <message>
+        <source>the scenario&apos;s</source>
+        <translation>comme dans le scénario</translation>
+    </message>
+    <message>
+        <source>Operator: none, novice, default, expert, simulated-haptic, task-novice, task-expert, misleading or replay:FILE</source>
+        <translation>Opérateur : none, novice, default, expert, simulated-haptic, task-novice, task-expert, misleading ou replay:FICHIER</translation>
+    </message>
+    <message>
+        <source>A simulated operator shows the way of this path, not the scenario&apos;s way-points</source>
+        <translation>Un opérateur simulé montre le trajet de ce chemin, et non les points de passage du scénario</translation>
+    </message>
+    <message>
+        <source>Shorten the path and keep it certified: --smoothing %1</source>
+        <translation>Raccourcir le chemin en le gardant certifié : --smoothing %1</translation>
+    </message>
+    <message>
+        <source>Report the certificate of every edge</source>
+        <translation>Rapporter le certificat de chaque segment</translation>
+    </message>
+    <message>
+        <source>Where no path is found, print the reasons</source>
+        <translation>Si aucun chemin n&apos;est trouvé, afficher les raisons</translation>
+    </message>
+    <message>
+        <source>Seed of everything random (default: the scenario&apos;s)</source>
+        <translation>Graine de tout ce qui est aléatoire (par défaut : celle du scénario)</translation>
+    </message>
+    <message>
+        <source>Write the path: %1</source>
+        <translation>Écrire le chemin : %1</translation>
+    </message>
+    <message>
+        <source>Write a run record for replay</source>
+        <translation>Écrire un enregistrement du calcul, à rejouer</translation>
+    </message>
+    <message>
+        <source>Leave a body or an assembly of the product out: its name (can be repeated)</source>
+        <translation>Écarter un corps ou un assemblage du produit : son nom (peut être répété)</translation>
+    </message>
+    <message>
+        <source>Take a part of several solids as these: its name (can be repeated)</source>
+        <translation>Prendre une pièce de plusieurs solides comme ceux-ci : son nom (peut être répété)</translation>
+    </message>
+    <message>
+        <source>Threads; they do not change the result (default: one for each core)</source>
+        <translation>Fils d&apos;exécution ; ils ne changent pas le résultat (par défaut : un par cœur)</translation>
+    </message>
+    <message>
+        <source>Judge a path or an assembly plan with the independent check</source>
+        <translation>Juger un chemin ou un plan d&apos;assemblage par la vérification indépendante</translation>
+    </message>
+    <message>
+        <source>Scenario file or OMPL.app .cfg; of an assembly plan the product, as in sequence</source>
+        <translation>Fichier de scénario ou .cfg d&apos;OMPL.app ; pour un plan d&apos;assemblage le produit, comme dans sequence</translation>
+    </message>
+    <message>
+        <source>Assembly plan, or path: %1</source>
+        <translation>Plan d&apos;assemblage, ou chemin : %1</translation>
+    </message>
+    <message>
+        <source>Clearance to prove [m] (default: the scenario&apos;s)</source>
+        <translation>Jeu à prouver [m] (par défaut : celui du scénario)</translation>
+    </message>
+    <message>
+        <source>What the plan states itself counts as a person&apos;s word: bends, flexible bodies, units, accepted clashes, demands that are given up</source>
+        <translation>Ce que le plan énonce lui-même vaut comme la parole d&apos;une personne : flexions, corps souples, unités, collisions acceptées, exigences abandonnées</translation>
+    </message>
+    <message>
+        <source>Time limit in seconds; 0: none</source>
+        <translation>Limite de temps en secondes ; 0 : aucune</translation>
+    </message>
+    <message>
+        <source>Shorten a certified path and keep it certified</source>
+        <translation>Raccourcir un chemin certifié en le gardant certifié</translation>
+    </message>
+    <message>
+        <source>Path: %1</source>
+        <translation>Chemin : %1</translation>
+    </message>
+    <message>
+        <source>Shortcuts to try</source>
+        <translation>Raccourcis à essayer</translation>
+    </message>
+    <message>
+        <source>Seed of the shortcuts</source>
+        <translation>Graine des raccourcis</translation>
+    </message>
+    <message>
+        <source>Write the swept volume of a path: all that the object covers</source>
+        <translation>Écrire le volume balayé d&apos;un chemin : tout ce que l&apos;objet occupe</translation>
+    </message>
+    <message>
+        <source>Write the swept volume: .stl (millimetres) or .glb</source>
+        <translation>Écrire le volume balayé : .stl (millimètres) ou .glb</translation>
+    </message>
+    <message>
+        <source>How far its surface may be from the object, as 0.5mm (default: one with which the volume is about 7 % too large)</source>
+        <translation>Distance maximale de sa surface à l&apos;objet, comme 0.5mm (par défaut : celle avec laquelle le volume est trop grand d&apos;environ 7 %)</translation>
+    </message>
+    <message>
+        <source>Show bodies, triangles, units and the quality of the meshes</source>
+        <translation>Montrer les corps, les triangles, les unités et la qualité des maillages</translation>
+    </message>
+    <message>
+        <source>Scenario, OMPL.app .cfg, or part file (STEP, IGES, BREP, mesh, URDF)</source>
+        <translation>Scénario, .cfg d&apos;OMPL.app ou fichier de pièces (STEP, IGES, BREP, maillage, URDF)</translation>
+    </message>
+    <message>
+        <source>Build the environment model: octree, places, borders, compatibility</source>
+        <translation>Construire le modèle de l&apos;environnement : octree, lieux, frontières, compatibilité</translation>
+    </message>
+    <message>
+        <source>Write into the scenario file where its forbidden places are, which &apos;check&apos; reads</source>
+        <translation>Écrire dans le fichier de scénario où sont ses lieux interdits, que « check » lit</translation>
+    </message>
+    <message>
+        <source>is not from 1e-12 m to 1e9 m</source>
+        <translation>n&apos;est pas entre 1e-12 m et 1e9 m</translation>
+    </message>
+    <message>
+        <source>How far triangles may be off the surfaces of a STEP file, as 0.05mm (default: by the size of each part)</source>
+        <translation>Distance maximale des triangles aux surfaces d&apos;un fichier STEP, comme 0.05mm (par défaut : selon la taille de chaque pièce)</translation>
+    </message>
+    <message>
+        <source>List the contacts, fits and clashes of a product as it is assembled</source>
+        <translation>Lister les contacts, les ajustements et les collisions d&apos;un produit assemblé</translation>
+    </message>
+    <message>
+        <source>Scenario, STEP, IGES or BREP file, or an assembly in one (product.step:pump)</source>
+        <translation>Scénario, fichier STEP, IGES ou BREP, ou un assemblage qu&apos;il contient (product.step:pump)</translation>
+    </message>
+    <message>
+        <source>List pairs with a gap of up to this, too, as 0.5mm (default: 0)</source>
+        <translation>Lister aussi les paires dont l&apos;écart va jusqu&apos;à cette longueur, comme 0.5mm (par défaut : 0)</translation>
+    </message>
+    <message>
+        <source>An overlap above this is a clash (default: 1mm)</source>
+        <translation>Un recouvrement plus grand est une collision (par défaut : 1mm)</translation>
+    </message>
+    <message>
+        <source>An overlap above this share of the local thickness is a clash, too</source>
+        <translation>Un recouvrement supérieur à cette part de l&apos;épaisseur locale est aussi une collision</translation>
+    </message>
+    <message>
+        <source>Comma-separated values, a line a pair</source>
+        <translation>Valeurs séparées par des virgules, une ligne par paire</translation>
+    </message>
+    <message>
+        <source>List how the bodies of a product are joined: screws, nuts, inserts</source>
+        <translation>Lister comment les corps d&apos;un produit sont liés : vis, écrous, inserts</translation>
+    </message>
+    <message>
+        <source>suggested: joints that are suggested count as if a person had confirmed them; recognised: they do not (default)</source>
+        <translation>suggested : les liaisons proposées comptent comme si une personne les avait confirmées ; recognised : elles ne comptent pas (par défaut)</translation>
+    </message>
+    <message>
+        <source>Find in which order the parts of a product leave, with a certified motion each</source>
+        <translation>Trouver dans quel ordre sortent les pièces d&apos;un produit, chacune par un mouvement certifié</translation>
+    </message>
+    <message>
+        <source>Scenario, STEP, IGES or BREP file, an assembly in one (product.step:pump), or URDF file</source>
+        <translation>Scénario, fichier STEP, IGES ou BREP, un assemblage qu&apos;il contient (product.step:pump), ou fichier URDF</translation>
+    </message>
+    <message>
+        <source>Write the assembly plan (.json), also while it is planned</source>
+        <translation>Écrire le plan d&apos;assemblage (.json), aussi pendant sa planification</translation>
+    </message>
+    <message>
+        <source>Seconds after which the plan so far is written to --out</source>
+        <translation>Secondes après lesquelles le plan obtenu jusque-là est écrit dans --out</translation>
+    </message>
+    <message>
+        <source>Go on from a plan that has not ended</source>
+        <translation>Continuer à partir d&apos;un plan qui n&apos;est pas terminé</translation>
+    </message>
+    <message>
+        <source>How the order is searched: best-first or greedy (default: best-first, or the resumed plan&apos;s)</source>
+        <translation>Façon de chercher l&apos;ordre : best-first ou greedy (par défaut : best-first, ou celle du plan repris)</translation>
+    </message>
+    <message>
+        <source>Seed of everything random (default: 1, or the resumed plan&apos;s)</source>
+        <translation>Graine de tout ce qui est aléatoire (par défaut : 1, ou celle du plan repris)</translation>
+    </message>
+    <message>
+        <source>Time limit in seconds; the plan found so far is then written; 0: none</source>
+        <translation>Limite de temps en secondes ; le plan trouvé jusque-là est alors écrit ; 0 : aucune</translation>
+    </message>
+    <message>
+        <source>Bodies that are not to leave (default: the largest)</source>
+        <translation>Corps qui ne doivent pas sortir (par défaut : le plus grand)</translation>
+    </message>
+    <message>
+        <source>Bodies that leave as one: names with commas between them</source>
+        <translation>Corps qui sortent ensemble : des noms séparés par des virgules</translation>
+    </message>
+    <message>
+        <source>first,then: the first body leaves before the second</source>
+        <translation>premier,suivant : le premier corps sort avant le second</translation>
+    </message>
+    <message>
+        <source>3,name: the body leaves as the third step; 3,name,name: as one</source>
+        <translation>3,nom : le corps sort à la troisième étape ; 3,nom,nom : ensemble</translation>
+    </message>
+    <message>
+        <source>name,-z or name,0,0,-1: the body does not leave in this direction</source>
+        <translation>nom,-z ou nom,0,0,-1 : le corps ne sort pas dans cette direction</translation>
+    </message>
+    <message>
+        <source>Joints that the plan keeps to: recognised, suggested (those too that a person would have to confirm) or off (default: the scenario&apos;s, or recognised)</source>
+        <translation>Liaisons que le plan respecte : recognised, suggested (aussi celles qu&apos;une personne devrait confirmer) ou off (par défaut : celles du scénario, ou recognised)</translation>
+    </message>
+    <message>
+        <source>Direction of gravity: x y z (default: the scenario&apos;s, or 0 0 -1)</source>
+        <translation>Direction de la pesanteur : x y z (par défaut : celle du scénario, ou 0 0 -1)</translation>
+    </message>
+    <message>
+        <source>What a step costs for best-first: fitter, balanced, steady, few-tools, short, fragile-first, as-found, or an expression (default: the scenario&apos;s, or fitter)</source>
+        <translation>Coût d&apos;une étape pour best-first : fitter, balanced, steady, few-tools, short, fragile-first, as-found, ou une expression (par défaut : celui du scénario, ou fitter)</translation>
+    </message>
+    <message>
+        <source>on, or the scenario&apos;s</source>
+        <translation>on, ou comme dans le scénario</translation>
+    </message>
+    <message>
+        <source>How long the steps of an assembly plan take, also divided over a line</source>
+        <translation>Durée des étapes d&apos;un plan d&apos;assemblage, aussi réparties sur une ligne</translation>
+    </message>
+    <message>
+        <source>The product of the plan: a scenario or a STEP file</source>
+        <translation>Le produit du plan : un scénario ou un fichier STEP</translation>
+    </message>
+    <message>
+        <source>Assembly plan, as &apos;sequence --out&apos; writes it</source>
+        <translation>Plan d&apos;assemblage, tel que « sequence --out » l&apos;écrit</translation>
+    </message>
+    <message>
+        <source>Divide the steps over so many stations, one person each</source>
+        <translation>Répartir les étapes sur ce nombre de postes, d&apos;une personne chacun</translation>
+    </message>
+    <message>
+        <source>File of work times (default: the program&apos;s estimates)</source>
+        <translation>Fichier de temps de travail (par défaut : les estimations du programme)</translation>
+    </message>
+    <message>
+        <source>Write the table of work times to a file, to be edited</source>
+        <translation>Écrire le tableau des temps de travail dans un fichier, pour le modifier</translation>
+    </message>
+    <message>
+        <source>Whether a hand gets to a path or to the steps of an assembly plan, and an eye sees</source>
+        <translation>Si une main accède à un chemin ou aux étapes d&apos;un plan d&apos;assemblage, et si un œil les voit</translation>
+    </message>
+    <message>
+        <source>Hand, forearm and tool are sampled along each motion; this is no proof. Measures: ANSUR II (NATICK/TR-15/007).
+Exit codes: 0 all is reached and seen, 1 not all, 2 wrong usage, 3 unreadable input, 130 interrupted.</source>
+        <translation>La main, l&apos;avant-bras et l&apos;outil sont échantillonnés le long de chaque mouvement ; ce n&apos;est pas une preuve. Mesures : ANSUR II (NATICK/TR-15/007).
+Codes de retour : 0 tout est accessible et visible, 1 pas tout, 2 mauvais usage, 3 entrée illisible, 130 interrompu.</translation>
+    </message>
+    <message>
+        <source>The scenario of the path, or the product of the plan</source>
+        <translation>Le scénario du chemin, ou le produit du plan</translation>
+    </message>
+    <message>
+        <source>Path of the object: %1</source>
+        <translation>Chemin de l&apos;objet : %1</translation>
+    </message>
+    <message>
+        <source>Whose hand: p5f 5th percentile of women, p50 average, p95m 95th percentile of men (default: p50)</source>
+        <translation>Main de qui : p5f 5e centile des femmes, p50 moyenne, p95m 95e centile des hommes (par défaut : p50)</translation>
+    </message>
+    <message>
+        <source>From where the place is looked at: x y z in metres (default: 17 positions above it are tried)</source>
+        <translation>D&apos;où l&apos;endroit est regardé : x y z en mètres (par défaut : 17 positions au-dessus sont essayées)</translation>
+    </message>
+    <message>
+        <source>Convert an OMPL.app .cfg to a scenario, or a path to another format</source>
+        <translation>Convertir un .cfg d&apos;OMPL.app en scénario, ou un chemin en un autre format</translation>
+    </message>
+    <message>
+        <source>What to read: a .cfg, a scenario; or a path: %1</source>
+        <translation>Ce qui est lu : un .cfg, un scénario ; ou un chemin : %1</translation>
+    </message>
+    <message>
+        <source>What to write: a scenario (.json); or a path: %1</source>
+        <translation>Ce qui est écrit : un scénario (.json) ; ou un chemin : %1</translation>
+    </message>
+    <message>
+        <source>Scenario of the path, for formats that hold its clearances or bodies</source>
+        <translation>Scénario du chemin, pour les formats qui contiennent ses jeux ou ses corps</translation>
+    </message>
+    <message>
+        <source>Make a scenario of part files (meshes, STEP, IGES, BREP, URDF), of which one moves</source>
+        <translation>Faire un scénario de fichiers de pièces (maillages, STEP, IGES, BREP, URDF), dont une se déplace</translation>
+    </message>
+    <message>
+        <source>A part of a STEP file is named behind its file: --moves product.step:pin --static product.step makes a body
+of every other part. An assembly in the file (product.step:pump) stands for all of its parts; two parts of
+one name are pin and pin#2. A solid of a part of several (product.step:frame/solid#2) opens the part: each of
+its solids is a body. #3 is the third part that &apos;info&apos; lists. A group of an OBJ file is named in the same way: --moves product.obj:lid --groups
+--static product.obj makes a body of every other group.</source>
+        <translation>Une pièce d&apos;un fichier STEP se nomme après son fichier : --moves product.step:pin --static product.step fait un corps
+de chaque autre pièce. Un assemblage du fichier (product.step:pump) représente toutes ses pièces ; deux pièces de
+même nom sont pin et pin#2. Un solide d&apos;une pièce qui en a plusieurs (product.step:frame/solid#2) ouvre la pièce : chacun de
+ses solides est un corps. #3 est la troisième pièce que « info » liste. Un groupe d&apos;un fichier OBJ se nomme de même : --moves product.obj:lid --groups
+--static product.obj fait un corps de chaque autre groupe.</translation>
+    </message>
+    <message>
+        <source>Scenario file to write</source>
+        <translation>Fichier de scénario à écrire</translation>
+    </message>
+    <message>
+        <source>The part that moves (can be repeated: they move as one)</source>
+        <translation>La pièce qui se déplace (peut être répété : elles se déplacent ensemble)</translation>
+    </message>
+    <message>
+        <source>Parts that stay where they are</source>
+        <translation>Pièces qui restent où elles sont</translation>
+    </message>
+    <message>
+        <source>Parts in the way that a person could move</source>
+        <translation>Pièces sur le passage qu&apos;une personne pourrait déplacer</translation>
+    </message>
+    <message>
+        <source>A unit of the files, as 1mm, 1m, 1in or 25.4mm (default: 1m for Collada and glTF; for other meshes 1mm, or 1m where only that fits their size, which a warning says); STEP and URDF files say it themselves</source>
+        <translation>Une unité des fichiers, comme 1mm, 1m, 1in ou 25.4mm (par défaut : 1m pour Collada et glTF ; pour les autres maillages 1mm, ou 1m si cela seul convient à leur taille, ce qu&apos;un avertissement indique) ; les fichiers STEP et URDF l&apos;indiquent eux-mêmes</translation>
+    </message>
+    <message>
+        <source>The files&apos; axis that points up (default: y for Collada and glTF, z for other meshes)</source>
+        <translation>L&apos;axe des fichiers qui pointe vers le haut (par défaut : y pour Collada et glTF, z pour les autres maillages)</translation>
+    </message>
+    <message>
+        <source>How far the triangles of STEP parts may be off their surfaces, as 0.05mm (default: a thousandth of each part&apos;s diagonal, from 0.01mm to 0.5mm)</source>
+        <translation>Distance maximale des triangles des pièces STEP à leurs surfaces, comme 0.05mm (par défaut : un millième de la diagonale de chaque pièce, de 0.01mm à 0.5mm)</translation>
+    </message>
+    <message>
+        <source>Take each group of an OBJ file (o or g) as a part of its own</source>
+        <translation>Prendre chaque groupe d&apos;un fichier OBJ (o ou g) comme une pièce à part</translation>
+    </message>
+    <message>
+        <source>Close the planar holes of meshes, and print how many</source>
+        <translation>Fermer les trous plans des maillages, et afficher combien</translation>
+    </message>
+    <message>
+        <source>Move the start clear of the bodies that it touches, and print how far</source>
+        <translation>Dégager le départ des corps qu&apos;il touche, et afficher de combien</translation>
+    </message>
+    <message>
+        <source>Repeat runs over scenarios, strategies, parameters and seeds</source>
+        <translation>Répéter des essais en faisant varier scénarios, stratégies, paramètres et graines</translation>
+    </message>
+    <message>
+        <source>Study file (samples/studies)</source>
+        <translation>Fichier d&apos;étude (samples/studies)</translation>
+    </message>
+    <message>
+        <source>Folder of the results; a study that was begun there is continued</source>
+        <translation>Dossier des résultats ; une étude qui y a été commencée est poursuivie</translation>
+    </message>
+    <message>
+        <source>Runs at once</source>
+        <translation>Essais simultanés</translation>
+    </message>
+    <message>
+        <source>I/N: only every N-th run, from the I-th; see merge</source>
+        <translation>I/N : seulement un essai sur N, à partir du I-ième ; voir merge</translation>
+    </message>
+    <message>
+        <source>The study&apos;s quick section: about a minute</source>
+        <translation>La version rapide de l&apos;étude : environ une minute</translation>
+    </message>
+    <message>
+        <source>Print what would be run; write nothing</source>
+        <translation>Afficher ce qui serait exécuté ; ne rien écrire</translation>
+    </message>
+    <message>
+        <source>Combine the results of the parts of a study (--shard) and write its tables</source>
+        <translation>Réunir les résultats des parts d&apos;une étude (--shard) et écrire ses tableaux</translation>
+    </message>
+    <message>
+        <source>Folders of results</source>
+        <translation>Dossiers de résultats</translation>
+    </message>
+    <message>
+        <source>Folder of the combined results</source>
+        <translation>Dossier des résultats réunis</translation>
+    </message>
+    <message>
+        <source>Write the report of a study: tables, plots, findings, one HTML page</source>
+        <translation>Écrire le rapport d&apos;une étude : tableaux, courbes, conclusions, une page HTML</translation>
+    </message>
+    <message>
+        <source>Folder of results</source>
+        <translation>Dossier de résultats</translation>
+    </message>
+    <message>
+        <source>Folder of report.html (default: DIR)</source>
+        <translation>Dossier de report.html (par défaut : DIR)</translation>
+    </message>
+    <message>
+        <source>Language of the report</source>
+        <translation>Langue du rapport</translation>
+    </message>
+    <message>
+        <source>Write the page of results of packaging/benchmarks.sh</source>
+        <translation>Écrire la page des résultats de packaging/benchmarks.sh</translation>
+    </message>
+    <message>
+        <source>Run a recorded run again and compare the roadmaps bit by bit</source>
+        <translation>Rejouer un calcul enregistré et comparer les graphes bit à bit</translation>
+    </message>
+    <message>
+        <source>Run record, or the journal of a run that was interrupted</source>
+        <translation>Enregistrement d&apos;un calcul, ou journal d&apos;un calcul qui a été interrompu</translation>
+    </message>
+    <message>
+        <source>Scenario of the run (default: the one that the record names)</source>
+        <translation>Scénario du calcul (par défaut : celui que l&apos;enregistrement nomme)</translation>
+    </message>
+    <message>
+        <source>Language of messages and texts, also behind a command</source>
+        <translation>Langue des messages et des textes, aussi après une commande</translation>
+    </message>
+    <message>
+        <source>standard output</source>
+        <translation>sortie standard</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>ne peut pas être écrite : %1</translation>
+    </message>
+    <message>
         <source>Send it to another file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Envoyez-la dans un autre fichier.</translation>
     </message>
     <message>
         <source>running the command</source>
         <translation>exécution de la commande</translation>
     </message>
     <message>
+        <source>start</source>
+        <translation>le départ</translation>
+    </message>
+    <message>
         <source>names the part that moves</source>
-        <translation type="unfinished"></translation>
+        <translation>désigne la pièce qui se déplace</translation>
     </message>
     <message>
         <source>Name another body.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nommez un autre corps.</translation>
+    </message>
+    <message>
+        <source>start moved clear by %1 mm</source>
+        <translation>départ dégagé de %1 mm</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a length: give metres, or a unit as in 0.5mm (m, cm, mm, in, ft)</source>
+        <translation>« %1 » n&apos;est pas une longueur : donnez des mètres, ou une unité comme dans 0.5mm (m, cm, mm, in, ft)</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is beyond 1e9 m: check the unit</source>
+        <translation>« %1 » dépasse 1e9 m : vérifiez l&apos;unité</translation>
+    </message>
+    <message>
+        <source>Subcommands</source>
+        <translation>Commandes</translation>
+    </message>
+    <message>
+        <source>Glissade: certified motions for virtual assembly</source>
+        <translation>Glissade : des mouvements certifiés pour l&apos;assemblage virtuel</translation>
+    </message>
+    <message>
+        <source>Usage</source>
+        <translation>Utilisation</translation>
+    </message>
+    <message>
+        <source>Positionals</source>
+        <translation>Arguments</translation>
+    </message>
+    <message>
+        <source>SUBCOMMAND</source>
+        <translation>COMMANDE</translation>
+    </message>
+    <message>
+        <source>REQUIRED</source>
+        <translation>OBLIGATOIRE</translation>
+    </message>
+    <message>
+        <source>Options</source>
+        <translation>Options</translation>
+    </message>
+    <message>
+        <source>Print this help message and exit</source>
+        <translation>Afficher cette aide et quitter</translation>
+    </message>
+    <message>
+        <source>Display program version information and exit</source>
+        <translation>Afficher la version du programme et quitter</translation>
+    </message>
+    <message>
+        <source>there is no planner &apos;%1&apos;</source>
+        <translation>il n&apos;y a pas de stratégie « %1 »</translation>
     </message>
     <message>
         <source>See &apos;glissade-cli plan --help&apos; for the planners.</source>
-        <translation type="unfinished"></translation>
+        <translation>Voyez les planificateurs avec « glissade-cli plan --help ».</translation>
+    </message>
+    <message>
+        <source>there is no operator &apos;%1&apos;</source>
+        <translation>il n&apos;y a pas d&apos;opérateur « %1 »</translation>
+    </message>
+    <message>
+        <source>Choose one of %1 or replay:FILE.</source>
+        <translation>Choisissez parmi %1 ou replay:FICHIER.</translation>
     </message>
     <message>
         <source>Choose gts to plan with them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisissez gts pour en tenir compte.</translation>
+    </message>
+    <message>
+        <source>are not used by strategy &apos;%1&apos;</source>
+        <translation>ne sont pas utilisés par la stratégie « %1 »</translation>
+    </message>
+    <message>
+        <source>have preferences, which are not used by strategy &apos;%1&apos;</source>
+        <translation>ont des préférences, que la stratégie « %1 » n&apos;utilise pas</translation>
+    </message>
+    <message>
+        <source>seed %1</source>
+        <translation>graine %1</translation>
     </message>
     <message>
         <source>the replay was not finished</source>
-        <translation type="unfinished"></translation>
+        <translation>le rejeu n&apos;a pas été terminé</translation>
     </message>
     <message>
         <source>Start it again.</source>
-        <translation>Recommencez.</translation>
+        <translation>Relancez-le.</translation>
+    </message>
+    <message>
+        <source>same roadmap as recorded: %1 nodes</source>
+        <translation>même graphe que l&apos;enregistrement : %1 nœuds</translation>
+    </message>
+    <message>
+        <source>(a record of version 1: only the nodes were counted)</source>
+        <translation>(enregistrement de version 1 : seuls les nœuds ont été comptés)</translation>
+    </message>
+    <message>
+        <source>(the recording was full there; the run went on)</source>
+        <translation>(l&apos;enregistrement était plein à cet endroit ; le calcul a continué)</translation>
+    </message>
+    <message>
+        <source>different: the same until step %1, not at step %2 (recorded %3 nodes, replayed %4 at step %5)</source>
+        <translation>différent : identique jusqu&apos;au pas %1, mais pas au pas %2 (%3 nœuds enregistrés, %4 rejoués au pas %5)</translation>
+    </message>
+    <message>
+        <source>recorded by %1, %2; replayed by Glissade %3, %4</source>
+        <translation>enregistré par %1, %2 ; rejoué par Glissade %3, %4</translation>
     </message>
     <message>
         <source>a forbidden place</source>
@@ -2806,15 +3672,15 @@
     </message>
     <message>
         <source>forbids places to the path of its object; the steps of an assembly plan may cross them</source>
-        <translation type="unfinished"></translation>
+        <translation>interdit des lieux au chemin de son objet ; les étapes d&apos;un plan d&apos;assemblage peuvent les traverser</translation>
     </message>
     <message>
         <source>Forbid directions of parts instead (--forbid).</source>
-        <translation type="unfinished"></translation>
+        <translation>Interdisez plutôt des directions aux pièces (--forbid).</translation>
     </message>
     <message>
         <source>warning: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>avertissement : %1</translation>
     </message>
     <message>
         <source>nothing near</source>
@@ -2826,19 +3692,19 @@
     </message>
     <message>
         <source>required %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>exigé : %1 mm</translation>
     </message>
     <message>
         <source>%1, %2 of %3 edges slide</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 segments sur %3 glissent</translation>
     </message>
     <message>
         <source>%1; %2 from forbidden places</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ; à %2 des lieux interdits</translation>
     </message>
     <message>
         <source>certified: %1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>certifié : %1 (%2)</translation>
     </message>
     <message>
         <source>violated: on edge %1 the object is in the thread of &apos;%2&apos;, and the edge is no turn about their axis by the pitch</source>
@@ -2849,16 +3715,32 @@
         <translation>réfuté : à %1 mm de « %2 » sur le segment %3, en %4 (exigé : %5 mm)</translation>
     </message>
     <message>
-        <source>certified</source>
-        <translation>certifiée</translation>
+        <source>  edge %1: certified, %2</source>
+        <translation>  segment %1 : certifié, %2</translation>
     </message>
     <message>
-        <source>violated</source>
-        <translation type="unfinished"></translation>
+        <source>  edge %1: violated, %2</source>
+        <translation>  segment %1 : réfuté, %2</translation>
     </message>
     <message>
-        <source>undecided</source>
-        <translation type="unfinished"></translation>
+        <source>  edge %1: undecided, %2</source>
+        <translation>  segment %1 : indécis, %2</translation>
+    </message>
+    <message>
+        <source>clearance %1 to %2 mm</source>
+        <translation>jeu de %1 à %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 to &apos;%2&apos; at %3</source>
+        <translation>%1 par rapport à « %2 » en %3</translation>
+    </message>
+    <message>
+        <source>%1 (required %2 mm, sliding)</source>
+        <translation>%1 (exigé : %2 mm, en glissement)</translation>
+    </message>
+    <message>
+        <source>%1 (required %2 mm)</source>
+        <translation>%1 (exigé : %2 mm)</translation>
     </message>
     <message>
         <source>undecided on edge %1</source>
@@ -2877,68 +3759,240 @@
         <translation>espacement des coordonnées : des fichiers de maillage contiennent des nombres sur 32 bits ou ont été fermés à des jonctions en T, si bien que les corps peuvent être plus proches de %1 mm</translation>
     </message>
     <message>
-        <source>clearance %1 to %2 mm</source>
-        <translation>jeu de %1 à %2 mm</translation>
+        <source>solved</source>
+        <translation>résolu</translation>
     </message>
     <message>
-        <source>%1 to &apos;%2&apos; at %3</source>
-        <translation type="unfinished"></translation>
+        <source>interrupted</source>
+        <translation>interrompu</translation>
     </message>
     <message>
-        <source>  edge %1: %2, %3 (required %4 mm, sliding)</source>
-        <translation type="unfinished"></translation>
+        <source>limit-reached</source>
+        <translation>limite atteinte</translation>
     </message>
     <message>
-        <source>  edge %1: %2, %3 (required %4 mm)</source>
-        <translation type="unfinished"></translation>
+        <source>not-certified</source>
+        <translation>non certifié</translation>
+    </message>
+    <message>
+        <source>no-path</source>
+        <translation>sans chemin</translation>
+    </message>
+    <message>
+        <source>in-collision</source>
+        <translation>en collision</translation>
+    </message>
+    <message>
+        <source>malformed</source>
+        <translation>mal formé</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>erreur</translation>
+    </message>
+    <message>
+        <source>pending</source>
+        <translation>en attente</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>en cours</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>échec</translation>
+    </message>
+    <message>
+        <source>your hand showed %1 configurations; %2 were in collision, %3 of these were moved to contact</source>
+        <translation>votre main a montré %1 configurations ; %2 étaient en collision, dont %3 ont été amenées au contact</translation>
+    </message>
+    <message>
+        <source>your way joined start and goal</source>
+        <translation>votre trajet a relié le départ et le but</translation>
+    </message>
+    <message>
+        <source>the computer joined start and goal</source>
+        <translation>l&apos;ordinateur a relié le départ et le but</translation>
+    </message>
+    <message>
+        <source>the path follows your way for %1 of its length</source>
+        <translation>le chemin suit votre trajet sur %1 de sa longueur</translation>
+    </message>
+    <message>
+        <source>coarse path %1:</source>
+        <translation>chemin grossier %1 :</translation>
+    </message>
+    <message>
+        <source>  %1 to %2: %3, %4 random configurations (%5)</source>
+        <translation>  %1 vers %2 : %3, %4 configurations aléatoires (%5)</translation>
+    </message>
+    <message>
+        <source>%1 by %2 after %3 steps (%4 s virtual, %5 s of planning)</source>
+        <translation>%1 par %2 après %3 pas (%4 s virtuelles, %5 s de planification)</translation>
+    </message>
+    <message>
+        <source>nodes %1, edges %2, configurations: random %3, operator %4, contact %5</source>
+        <translation>nœuds : %1, arêtes : %2, configurations aléatoires : %3, de l&apos;opérateur : %4, de contact : %5</translation>
+    </message>
+    <message>
+        <source>nodes by the computer %1, the operator %2, contact %3</source>
+        <translation>nœuds de l&apos;ordinateur : %1, de l&apos;opérateur : %2, de contact : %3</translation>
+    </message>
+    <message>
+        <source>path of %1 configurations, %2 m, %3 rad</source>
+        <translation>chemin de %1 configurations, %2 m, %3 rad</translation>
+    </message>
+    <message>
+        <source>of its length by the computer %1, the operator %2, contact %3</source>
+        <translation>sur sa longueur, l&apos;ordinateur : %1, l&apos;opérateur : %2, le contact : %3</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;</source>
+        <translation>« %1 »</translation>
+    </message>
+    <message>
+        <source>held at its start by %1</source>
+        <translation>retenu à son départ par %1</translation>
+    </message>
+    <message>
+        <source>%1 s: %2</source>
+        <translation>%1 s : %2</translation>
+    </message>
+    <message>
+        <source>comparing pairs of bodies, %1 %</source>
+        <translation>comparaison des paires de corps, %1 %</translation>
+    </message>
+    <message>
+        <source>searching motions of %1 parts, effort %2</source>
+        <translation>recherche des mouvements de %1 pièces, effort %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 parts: %3 leaves (%4)</source>
+        <translation>%1 pièces sur %2 : %3 sort (%4)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 parts: %3 leave as one (%4)</source>
+        <translation>%1 pièces sur %2 : %3 sortent ensemble (%4)</translation>
+    </message>
+    <message>
+        <source>is not a number from 1, a comma and a name: %1</source>
+        <translation>n&apos;est pas un nombre à partir de 1, une virgule et un nom : %1</translation>
     </message>
     <message>
         <source>Give 3,name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Donnez 3,nom.</translation>
+    </message>
+    <message>
+        <source>is not a name, a comma and a direction: %1</source>
+        <translation>n&apos;est pas un nom, une virgule et une direction : %1</translation>
     </message>
     <message>
         <source>Give name,-z or name,0,0,-1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Donnez nom,-z ou nom,0,0,-1.</translation>
+    </message>
+    <message>
+        <source>is not two names with a comma between them: %1</source>
+        <translation>n&apos;est pas formé de deux noms séparés par une virgule : %1</translation>
     </message>
     <message>
         <source>Give first,then.</source>
-        <translation type="unfinished"></translation>
+        <translation>Donnez premier,suivant.</translation>
     </message>
     <message>
         <source>is no direction</source>
-        <translation type="unfinished"></translation>
+        <translation>n&apos;est pas une direction</translation>
     </message>
     <message>
         <source>Give three numbers, as 0 0 -1.</source>
         <translation>Donnez trois nombres, comme 0 0 -1.</translation>
     </message>
     <message>
+        <source>is unknown: %1</source>
+        <translation>est inconnu : %1</translation>
+    </message>
+    <message>
         <source>Choose recognised, suggested or off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisissez recognised, suggested ou off.</translation>
     </message>
     <message>
         <source>are off, so that no part leaves that touches another one where it is assembled</source>
-        <translation type="unfinished"></translation>
+        <translation>sont désactivés, si bien qu&apos;aucune pièce ne sort si elle en touche une autre à sa place assemblée</translation>
     </message>
     <message>
         <source>Run again with --fits on, or switch them on in the scenario.</source>
-        <translation type="unfinished"></translation>
+        <translation>Relancez avec --fits on, ou activez-les dans le scénario.</translation>
     </message>
     <message>
         <source>has a strategy, a seed, staying bodies and a deflection of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>a sa propre stratégie, sa graine, ses corps qui restent et sa flèche</translation>
     </message>
     <message>
         <source>Leave out --strategy, --seed, --stay and --deflection, or plan anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Omettez --strategy, --seed, --stay et --deflection, ou planifiez à nouveau.</translation>
     </message>
     <message>
         <source>has demands of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>a ses propres exigences</translation>
     </message>
     <message>
         <source>Leave out --together, --before, --place, --forbid, --gravity, --joints and --cost, or plan anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Omettez --together, --before, --place, --forbid, --gravity, --joints et --cost, ou planifiez à nouveau.</translation>
+    </message>
+    <message>
+        <source>%1, not certified</source>
+        <translation>%1, non certifié</translation>
+    </message>
+    <message>
+        <source>%1, clearance %2 to &apos;%3&apos;</source>
+        <translation>%1, jeu de %2 par rapport à « %3 »</translation>
+    </message>
+    <message>
+        <source>tool: %1</source>
+        <translation>outil : %1</translation>
+    </message>
+    <message>
+        <source>forced, although: %1</source>
+        <translation>forcée, bien que : %1</translation>
+    </message>
+    <message>
+        <source>to be held: %1</source>
+        <translation>à tenir : %1</translation>
+    </message>
+    <message>
+        <source>stuck: %1</source>
+        <translation>bloquée : %1</translation>
+    </message>
+    <message>
+        <source>%1, blocked by %2</source>
+        <translation>%1, bloqué par %2</translation>
+    </message>
+    <message>
+        <source>the group of step %1 is taken apart off %2:</source>
+        <translation>le groupe de l&apos;étape %1 se démonte à partir de %2 :</translation>
+    </message>
+    <message>
+        <source>%1 of %2 parts leave in %3 steps</source>
+        <translation>%1 pièces sur %2 sortent en %3 étapes</translation>
+    </message>
+    <message>
+        <source>%1, every motion certified</source>
+        <translation>%1, tous les mouvements sont certifiés</translation>
+    </message>
+    <message>
+        <source>%1, every motion certified but those of %2 flexible parts</source>
+        <translation>%1, tous les mouvements sont certifiés sauf ceux de %2 pièces souples</translation>
+    </message>
+    <message>
+        <source>base: %1</source>
+        <translation>base : %1</translation>
+    </message>
+    <message>
+        <source>%1 of the parts that leave do so in groups that are not taken apart</source>
+        <translation>parmi les pièces qui sortent, %1 le font dans des groupes qui ne sont pas démontés</translation>
+    </message>
+    <message>
+        <source>%1, computed in %2 s</source>
+        <translation>%1, calculé en %2 s</translation>
     </message>
     <message>
         <source>Choose greedy or best-first.</source>
@@ -2946,23 +4000,115 @@
     </message>
     <message>
         <source>was reached while fits were searched</source>
-        <translation type="unfinished"></translation>
+        <translation>a été atteinte pendant la recherche des ajustements</translation>
     </message>
     <message>
         <source>Give more time.</source>
-        <translation type="unfinished"></translation>
+        <translation>Donnez plus de temps.</translation>
+    </message>
+    <message>
+        <source>edge %1</source>
+        <translation>segment %1</translation>
     </message>
     <message>
         <source>Only certified paths are smoothed. glissade-cli check says more about the path.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seuls les chemins certifiés sont raccourcis. glissade-cli check en dit plus sur le chemin.</translation>
+    </message>
+    <message>
+        <source>from %1 m to %2 m in the metric, from %3 to %4 configurations, %5</source>
+        <translation>de %1 m à %2 m dans la métrique, de %3 à %4 configurations, %5</translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs, %3 solved</source>
+        <translation>%1 essais sur %2, %3 résolus</translation>
+    </message>
+    <message>
+        <source>%1, %2 ended by time, memory or a fault</source>
+        <translation>%1, %2 terminés par le temps, la mémoire ou une défaillance</translation>
+    </message>
+    <message>
+        <source>%1, about %2 left</source>
+        <translation>%1, encore %2 environ</translation>
+    </message>
+    <message>
+        <source>%1 (quick)</source>
+        <translation>%1 (version rapide)</translation>
+    </message>
+    <message>
+        <source>medians of the solved runs</source>
+        <translation>médianes des essais résolus</translation>
+    </message>
+    <message>
+        <source>     solved   virtual s     nodes     edges    random</source>
+        <translation>     résolus virtuel s     nœuds    arêtes    tirées</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>see %1 and summary.csv</source>
+        <translation>voir %1 et summary.csv</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not I/N with I from 1 to N</source>
+        <translation>« %1 » n&apos;est pas I/N avec I de 1 à N</translation>
     </message>
     <message>
         <source>Write 1/4, 2/4, 3/4 and 4/4 for four shards.</source>
-        <translation type="unfinished"></translation>
+        <translation>Écrivez 1/4, 2/4, 3/4 et 4/4 pour quatre parts.</translation>
+    </message>
+    <message>
+        <source>%1 cells, %2 runs in shard %3 of %4, %5 of them done</source>
+        <translation>%1 cellules, %2 essais dans la part %3 sur %4, dont %5 effectués</translation>
+    </message>
+    <message>
+        <source>  %1 seeds of: %2</source>
+        <translation>  %1 graines de : %2</translation>
+    </message>
+    <message>
+        <source>swept volume %1 %2, %3 triangles; it contains the sweep, and its surface is at most %4 mm away from it</source>
+        <translation>volume balayé de %1 %2, %3 triangles ; il contient tout le balayage, et sa surface en est éloignée de %4 mm au plus</translation>
+    </message>
+    <message>
+        <source>its volume is about %1 % larger than what the object covers</source>
+        <translation>son volume dépasse d&apos;environ %1 % ce que l&apos;objet occupe</translation>
+    </message>
+    <message>
+        <source>how much larger its volume is than what the object covers is not known: the object is thin</source>
+        <translation>on ne sait pas de combien son volume dépasse ce que l&apos;objet occupe : l&apos;objet est mince</translation>
+    </message>
+    <message>
+        <source>within it or at its surface: %1</source>
+        <translation>à l&apos;intérieur ou à sa surface : %1</translation>
     </message>
     <message>
         <source>the swept volume was not written</source>
-        <translation type="unfinished"></translation>
+        <translation>le volume balayé n&apos;a pas été écrit</translation>
+    </message>
+    <message>
+        <source>the times are estimates and were not measured; --write-table writes the table, --table reads an edited one</source>
+        <translation>les temps sont des estimations et n&apos;ont pas été mesurés ; --write-table écrit le tableau, --table en lit un modifié</translation>
+    </message>
+    <message>
+        <source>step  seconds   fetch   place    turn    tool    hold  parts</source>
+        <translation>  n° secondes prendre   poser tourner   outil   tenir  pièces</translation>
+    </message>
+    <message>
+        <source>%1 stations: a product every %2 s (no division is faster than %3 s), people work %4 % of the time</source>
+        <translation>%1 postes : un produit toutes les %2 s (aucune répartition ne descend sous %3 s), les personnes travaillent %4 % du temps</translation>
+    </message>
+    <message>
+        <source>  station %1: %2 s, steps %3</source>
+        <translation>  poste %1 : %2 s, étapes %3</translation>
+    </message>
+    <message>
+        <source>one person: %1 s</source>
+        <translation>une personne : %1 s</translation>
+    </message>
+    <message>
+        <source>longest chain: %1 s, steps %2</source>
+        <translation>chaîne la plus longue : %1 s, étapes %2</translation>
     </message>
     <message>
         <source>running the workbench</source>
@@ -2971,10 +4117,6 @@
     <message>
         <source>line %1</source>
         <translation>ligne %1</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1 : %2</translation>
     </message>
     <message>
         <source>is not a number</source>
@@ -3053,10 +4195,6 @@
         <translation>Enregistrez le scénario.</translation>
     </message>
     <message>
-        <source>start</source>
-        <translation>le départ</translation>
-    </message>
-    <message>
         <source>goal</source>
         <translation>le but</translation>
     </message>
@@ -3107,6 +4245,14 @@
     <message>
         <source>UDP port %1</source>
         <translation>port UDP %1</translation>
+    </message>
+    <message>
+        <source>cannot be used: %1</source>
+        <translation>ne peut pas être utilisé : %1</translation>
+    </message>
+    <message>
+        <source>Choose another port, and set it in the tracker, too.</source>
+        <translation>Choisissez un autre port, et réglez-le aussi dans le capteur.</translation>
     </message>
     <message>
         <source>there is no plan to write</source>
@@ -3407,6 +4553,10 @@
     <message>
         <source>Change the rule first.</source>
         <translation>Changez d&apos;abord la règle.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number</source>
+        <translation>« %1 » n&apos;est pas un nombre</translation>
     </message>
     <message>
         <source>Write it like 0.25.</source>
@@ -3723,10 +4873,6 @@
     <message>
         <source>Give metres; check the unit.</source>
         <translation>Donnez des mètres ; vérifiez l&apos;unité.</translation>
-    </message>
-    <message>
-        <source>is not from 1e-12 m to 1e9 m</source>
-        <translation>n&apos;est pas entre 1e-12 m et 1e9 m</translation>
     </message>
     <message>
         <source>is not a whole number of zero or more</source>
@@ -4469,10 +5615,6 @@
         <translation>Le plan en indique une plus grossière.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos;</source>
-        <translation>« %1 »</translation>
-    </message>
-    <message>
         <source>is left out</source>
         <translation>est écarté</translation>
     </message>
@@ -4773,18 +5915,6 @@
         <translation>jeu de %1 à %2 mm par rapport à « %3 »</translation>
     </message>
     <message>
-        <source>  edge %1: certified, %2</source>
-        <translation>  segment %1 : certifié, %2</translation>
-    </message>
-    <message>
-        <source>  edge %1: violated, %2</source>
-        <translation>  segment %1 : réfuté, %2</translation>
-    </message>
-    <message>
-        <source>  edge %1: undecided, %2</source>
-        <translation>  segment %1 : indécis, %2</translation>
-    </message>
-    <message>
         <source>%1, slides</source>
         <translation>%1, en glissement</translation>
     </message>
@@ -4921,10 +6051,6 @@
         <translation>%1 étapes de corps souples n&apos;ont pas de preuve</translation>
     </message>
     <message>
-        <source>screws in bodies without a hole in the file, each of which makes its own: %1</source>
-        <translation>vis dans des corps sans trou dans le fichier, qui font chacune le leur : %1</translation>
-    </message>
-    <message>
         <source>the certificates are about triangles, which are within +/- %1 of the CAD surfaces</source>
         <translation>les certificats portent sur des triangles, à ± %1 des surfaces CAO</translation>
     </message>
@@ -5003,10 +6129,6 @@
     <message>
         <source>Give true or false.</source>
         <translation>Donnez true ou false.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a number</source>
-        <translation>« %1 » n&apos;est pas un nombre</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a whole number</source>
@@ -7233,6 +8355,10 @@
         <translation>Le mouvement rectiligne, là où il est libre.</translation>
     </message>
     <message>
+        <source>RRT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>One tree (LaValle 1998).</source>
         <translation>Un seul arbre (LaValle 1998).</translation>
     </message>
@@ -7357,24 +8483,12 @@
         <translation>cylindrique</translation>
     </message>
     <message>
-        <source>thread</source>
-        <translation>filetage</translation>
-    </message>
-    <message>
         <source>press</source>
         <translation>serrage</translation>
     </message>
     <message>
-        <source>overlap</source>
-        <translation>recouvrement</translation>
-    </message>
-    <message>
         <source>contact</source>
         <translation>contact</translation>
-    </message>
-    <message>
-        <source>clash</source>
-        <translation>interférence</translation>
     </message>
     <message>
         <source>%1 taken %2 thinner in the tapped hole of %3 (%4)</source>
@@ -8225,10 +9339,6 @@
         <translation>l&apos;asset « %1 » a changé depuis l&apos;enregistrement du calcul</translation>
     </message>
     <message>
-        <source>there is no planner &apos;%1&apos;</source>
-        <translation>il n&apos;y a pas de stratégie « %1 »</translation>
-    </message>
-    <message>
         <source>Replay it with the Glissade that recorded it: %1.</source>
         <translation>Rejouez-le avec la version de Glissade qui l&apos;a enregistré : %1.</translation>
     </message>
@@ -8697,10 +9807,6 @@
         <translation>Laissez un autre corps en place, ou retirez l&apos;exigence.</translation>
     </message>
     <message>
-        <source>is unknown: %1</source>
-        <translation>est inconnu : %1</translation>
-    </message>
-    <message>
         <source>Greedy</source>
         <translation>Gloutonne</translation>
     </message>
@@ -9039,6 +10145,18 @@
     <message>
         <source>announcing a snapshot</source>
         <translation>annonce d&apos;un état du calcul</translation>
+    </message>
+    <message>
+        <source>holds no results of benchmarks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run packaging/benchmarks.sh, and give the folder that it filled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not ns, us, ms or s</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>mean of %1 over all runs</source>
@@ -9425,10 +10543,6 @@
         <translation>Segments qui glissent</translation>
     </message>
     <message>
-        <source>%1 of %2</source>
-        <translation>%1 sur %2</translation>
-    </message>
-    <message>
         <source>Forbidden places</source>
         <translation>Lieux interdits</translation>
     </message>
@@ -9719,10 +10833,6 @@
     <message>
         <source>%1 at %2, %3 is held</source>
         <translation>%1 sur %2, en maintenant %3</translation>
-    </message>
-    <message>
-        <source>%1, blocked by %2</source>
-        <translation>%1, bloqué par %2</translation>
     </message>
     <message>
         <source>hold %1</source>
@@ -10293,26 +11403,6 @@
         <translation>La même commande continue à partir d&apos;ici.</translation>
     </message>
     <message>
-        <source>solved</source>
-        <translation>résolu</translation>
-    </message>
-    <message>
-        <source>no-path</source>
-        <translation>sans chemin</translation>
-    </message>
-    <message>
-        <source>limit-reached</source>
-        <translation>limite atteinte</translation>
-    </message>
-    <message>
-        <source>in-collision</source>
-        <translation>en collision</translation>
-    </message>
-    <message>
-        <source>error</source>
-        <translation>erreur</translation>
-    </message>
-    <message>
         <source>time</source>
         <translation>temps</translation>
     </message>
@@ -10699,10 +11789,6 @@
     <message>
         <source>auto solves every run, with a certified path.</source>
         <translation>auto résout tous les essais, avec un chemin certifié.</translation>
-    </message>
-    <message>
-        <source>not-certified</source>
-        <translation>non certifié</translation>
     </message>
     <message>
         <source>Success rate (%)</source>

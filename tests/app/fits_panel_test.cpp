@@ -20,7 +20,7 @@ PairFit pairOf(const char* a, const char* b, ContactKind kind, double overlap, b
   taken.allowance = overlap + 1e-6;
   taken.thinned = std::make_shared<const TriangleMesh>();
   if (!refused) fit.ways[0].taken.push_back(taken);
-  if (refused) fit.ways[0].refused = "overlap by 2 mm, which is a clash";
+  if (refused) fit.ways[0].refused = Message("overlap by 2 mm, which is a clash");
   return fit;
 }
 
@@ -69,7 +69,8 @@ TEST_F(FitsPanelTest, TipsSayWhichBodyGivesWayAndWhyNothingPasses) {
   QStringList tips;
   for (int i = 0; i < 3; ++i) tips << table().topLevelItem(i)->toolTip(4);
   EXPECT_TRUE(tips.contains(QStringLiteral("nut is taken 1.00 µm thinner"))) << tips.join('|').toStdString();
-  EXPECT_TRUE(tips.contains(QStringLiteral("overlap by 2 mm, which is a clash"))) << tips.join('|').toStdString();
+  EXPECT_TRUE(tips.contains(QStringLiteral(Message("overlap by 2 mm, which is a clash"))))
+      << tips.join('|').toStdString();
 }
 
 TEST_F(FitsPanelTest, LengthsAreSortedByTheirValues) {

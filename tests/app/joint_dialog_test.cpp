@@ -71,7 +71,7 @@ TEST_F(JointDialogTest, WhatIsGivenIsTaken) {
 }
 
 TEST_F(JointDialogTest, ARefusalIsSaidAndTheDialogStays) {
-  answer = Diagnostic{ErrorKind::Usage, "", "", "it has one body only", "Give another one."};
+  answer = Diagnostic{ErrorKind::Usage, "", "", Message("it has one body only"), Message("Give another one.")};
   dialog.accept();
   EXPECT_NE(dialog.result(), QDialog::Accepted);
   EXPECT_TRUE(field<QLabel>("refusal").text().startsWith(QStringLiteral("It has one body only.")));

@@ -37,7 +37,7 @@ inline Joint pinJoint(JointKind kind = JointKind::Insert) {
   joint.kind = kind;
   joint.body = 3;
   joint.others = {0};
-  joint.evidence = {"a pin in a hole"};
+  joint.evidence = {Message("a pin in a hole")};
   return joint;
 }
 
@@ -47,7 +47,7 @@ inline Joint suggestedUnit() {
   joint.state = JointState::Suggested;
   joint.body = 0;
   joint.others = {2};
-  joint.evidence = {"the assembly is called 'pump'"};
+  joint.evidence = {Message("the assembly is called 'pump'")};
   return joint;
 }
 

@@ -41,7 +41,7 @@ bool holds(const std::vector<ShownText>& texts, const char* part) {
 }
 
 const Diagnostic kHtml{ErrorKind::MalformedInput, "<b>a</b>.json", "<img src=/etc/passwd>",
-                       "body <i>x</i> is <u>odd</u>", "Give <s>another</s>."};
+                       Message("body <i>x</i> is <u>odd</u>"), Message("Give <s>another</s>.")};
 
 TEST(Messages, WhatFilesSayIsNeverTakenForHtml) {
   QMainWindow window;
@@ -83,7 +83,7 @@ TEST(Messages, WhatIsNotThereTakesNoLine) {
   QMainWindow window;
   Messages messages(window);
   const auto texts = textsOfDialog([&] {
-    messages.showError(QStringLiteral("No"), {ErrorKind::Usage, "", "", "the reason", ""});
+    messages.showError(QStringLiteral("No"), {ErrorKind::Usage, "", "", Message("the reason"), {}});
   });
   ASSERT_EQ(texts.size(), 2U);
   for (const ShownText& shown : texts) EXPECT_FALSE(shown.text.startsWith(QLatin1Char('\n')));

@@ -29,7 +29,7 @@ CoarsePlanPtr planThrough(const std::vector<int>& places, const EnvironmentModel
     step.place = place;
     step.border = 10 + place;
     step.placeName = "P" + std::to_string(place + 1);
-    step.why = "because of " + step.placeName;
+    step.why = Message("because of " + step.placeName);
     plan.steps.push_back(step);
   }
   return std::make_shared<const CoarsePlan>(plan);

@@ -24,7 +24,7 @@ class SequencePanelTest : public ::testing::Test {
       step.path = {{Pose::identity(), Author::Computer}, {Pose::translation({0.0, 0.0, 1.0}), Author::Computer}};
       plan->steps.push_back(step);
     }
-    plan->stuck = {{"drawer", {"cabinet"}, "no motion was found, alone or with others"}};
+    plan->stuck = {{"drawer", {"cabinet"}, Message("no motion was found, alone or with others")}};
     plan->end = PlanEnd::Stuck;
     shown = {product, plan, false, {0.5, std::nullopt}, {{StepCheck::Agrees, StepCheck::Disagrees}, {}}};
     panel.setPlan(shown);

@@ -111,8 +111,8 @@ Result<ChildEnd> carriedOut(const std::string& command, std::uint64_t seed, cons
   child->command.limits.outputBytes = 1U << 30U;
   auto end = runChild(child->command);
   if (end && (end->ending != ChildEnding::Exited || end->exitCode > 1)) {
-    return Diagnostic{ErrorKind::Internal, command, "", "was not carried out: " + end->errors,
-                      "Run the command line to see why."};
+    return Diagnostic{ErrorKind::Internal, command, "", Message("was not carried out: " + end->errors),
+                      Message("Run the command line to see why.")};
   }
   return end;
 }
@@ -136,7 +136,8 @@ Outcome takeHeap(const std::string& file, Work& work) {
   std::uint64_t counts[2] = {};
   std::ifstream in(file, std::ios::binary);
   if (!in.read(reinterpret_cast<char*>(counts), sizeof(counts)) || counts[0] == 0) {
-    return Diagnostic{ErrorKind::Internal, file, "", "holds no counts of the heap", "Build heap_count again."};
+    return Diagnostic{ErrorKind::Internal, file, "", Message("holds no counts of the heap"),
+                      Message("Build heap_count again.")};
   }
   work[kAllocations] = counts[0];
   work[kPeakKb] = counts[1] / 1024;
@@ -153,8 +154,8 @@ Result<std::vector<WorkCase>> readCases(const std::string& file) {
     const auto first = line.find('|');
     const auto second = first == std::string::npos ? first : line.find('|', first + 1);
     if (second == std::string::npos) {
-      return Diagnostic{ErrorKind::MalformedInput, file, "line " + std::to_string(number), "is not a case",
-                        "Write family | name | command."};
+      return Diagnostic{ErrorKind::MalformedInput, file, "line " + std::to_string(number), Message("is not a case"),
+                        Message("Write family | name | command.")};
     }
     cases.push_back({trimmed(line.substr(0, first)), trimmed(line.substr(first + 1, second - first - 1)),
                      trimmed(line.substr(second + 1))});

@@ -100,7 +100,8 @@ Result<std::vector<WorkRow>> readTable(const std::string& text, const std::strin
   std::getline(in, line);
   const auto malformed = [&](std::size_t number) {
     return Diagnostic{ErrorKind::MalformedInput, file, "line " + std::to_string(number),
-                      "is not a row of the table of work", "Write the table anew with work_ratchet --record REASON."};
+                      Message("is not a row of the table of work"),
+                      Message("Write the table anew with work_ratchet --record REASON.")};
   };
   if (line != header()) return malformed(1);
   std::vector<WorkRow> rows;

@@ -31,7 +31,7 @@ TEST(WorkTable, ARowWithoutAReasonIsRefused) {
   rows[2].reason.clear();
   const auto read = readTable(writeTable(rows), "work.csv");
   ASSERT_FALSE(read);
-  EXPECT_EQ(read.error().location, "line 4");
+  EXPECT_EQ(toString(read.error().location), "line 4");
 }
 
 TEST(WorkTable, EqualAndSmallerWorkPass) {

@@ -6,9 +6,10 @@ namespace glissade {
 namespace {
 
 TEST(Diagnostic, LeavesEmptyPartsOut) {
-  EXPECT_EQ(toString({ErrorKind::MalformedInput, "a.json", "/start", "not a number", "Write one."}),
+  EXPECT_EQ(toString(Diagnostic{ErrorKind::MalformedInput, "a.json", "/start", Message("not a number"),
+                                Message("Write one.")}),
             "a.json: /start: not a number. Write one.");
-  EXPECT_EQ(toString({ErrorKind::Internal, "", "", "disk full", ""}), "disk full");
+  EXPECT_EQ(toString(Diagnostic{ErrorKind::Internal, "", "", Message("disk full"), {}}), "disk full");
 }
 
 TEST(Diagnostic, ExitCodesAreTheDocumentedOnes) {

@@ -56,8 +56,8 @@ TEST(PrintableText, AnyBytesBecomeValidAndStayAsTheyAreFromThenOn) {
 }
 
 TEST(PrintableText, ADiagnosticShowsNoControlCharacterOfAFile) {
-  const std::string text =
-      toString({ErrorKind::MalformedInput, "a\nb\xFF.csv", "\x1b]0;x\x07", "holds '\x1b[2J'", "Mend\x9b."});
+  const std::string text = toString(Diagnostic{ErrorKind::MalformedInput, "a\nb\xFF.csv", "\x1b]0;x\x07",
+                                               Message("holds '\x1b[2J'"), Message("Mend\x9b.")});
   EXPECT_TRUE(isUtf8(text));
   EXPECT_EQ(text.find_first_of("\n\x1b\x07"), std::string::npos);
 }

@@ -52,7 +52,7 @@ TEST(PlanVerdict, RefusesAPathThatEndsInsideAndAllowancesOfItsOwn) {
   AssemblyPlan plan = test::planOf(product, "cabinet");
   ASSERT_EQ(plan.steps.size(), 3U);
   plan.steps[0].path.pop_back();
-  plan.steps[1].allowances.push_back({"cabinet", ContactKind::Planar, 0.0, 1e-3, ""});
+  plan.steps[1].allowances.push_back({"cabinet", ContactKind::Planar, 0.0, 1e-3, {}});
   const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt);
   EXPECT_FALSE(verdict.steps[0].endsOutside);
   ASSERT_FALSE(verdict.steps[1].refusals.empty());
@@ -65,7 +65,7 @@ TEST(PlanVerdict, RefusesAnAllowanceAgainstWhatHasLeft) {
   const AssembledProduct product = test::lockedDrawer();
   AssemblyPlan plan = test::planOf(product, "cabinet");
   ASSERT_EQ(plan.steps.size(), 3U);
-  plan.steps[2].allowances.push_back({"cap", ContactKind::Planar, 0.0, 1e-3, ""});
+  plan.steps[2].allowances.push_back({"cap", ContactKind::Planar, 0.0, 1e-3, {}});
   const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt);
   ASSERT_FALSE(verdict.steps[2].refusals.empty());
   EXPECT_NE(toString(verdict.steps[2].refusals[0]).find("'drawer' 1 mm thinner against 'cap'"), std::string::npos);

@@ -34,7 +34,7 @@ inline std::vector<AttributeDefinition> ownAttributes() {
   const auto define = [](const char* name, AttributeType type, AttributeOwner owner, AttributeValue initial) {
     AttributeDefinition definition;
     definition.name = name;
-    definition.label = name;
+    definition.label = Message(name);
     definition.type = type;
     definition.owner = owner;
     definition.initial = std::move(initial);
@@ -44,7 +44,7 @@ inline std::vector<AttributeDefinition> ownAttributes() {
   weight.unit = "kg";
   weight.minimum = 1e-3;
   weight.maximum = 1e3;
-  weight.description = "Masse – \"lourd\"";
+  weight.description = Message("Masse – \"lourd\"");
   AttributeDefinition quality = define("quality", AttributeType::Choice, AttributeOwner::Place, std::string("good"));
   quality.choices = {"bad", "good"};
   return {weight, quality, define("fragile", AttributeType::Bool, AttributeOwner::Body, false),

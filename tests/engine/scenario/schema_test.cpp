@@ -94,7 +94,7 @@ TEST(JointsSchema, AcceptsWhatIsWritten) {
   joint.drive = DriveKind::HexSocket;
   joint.driveSize = 0.0025;
   joint.designation = "ISO 4762 M3x8";
-  joint.evidence = {"a shaft with a head"};
+  joint.evidence = {Message("a shaft with a head")};
   nlohmann::ordered_json json{{"format", "glissade-joints"}, {"version", 1}, {"counts", {{"screw", 1}}}};
   json["joints"] = {toJson(joint, product), toJson(Joint{}, product)};
   EXPECT_EQ(schema.complaint(json.dump()), "");

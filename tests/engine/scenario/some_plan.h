@@ -12,13 +12,13 @@ inline AssemblyPlan somePlan() {
   plan.bodies = {"plate", "nut", "bolt", "rod"};
   plan.staying = {"plate"};
   const Pose away{{0.1, 0.25, -3.0}, fromRollPitchYaw(0.1, 0.2, 0.3)};
-  AssemblyStep nut{
-      "nut",
-      {{Pose::identity(), Author::Computer}, {away, Author::Contact}},
-      "straight",
-      1,
-      {0, 1e-6, 2e-6, 3e-6, "bolt"},
-      {{"bolt", ContactKind::Thread, 4e-4, 4.1e-4, "nut taken 0.41 mm thinner on the thread of bolt (thread)"}}};
+  AssemblyStep nut{"nut",
+                   {{Pose::identity(), Author::Computer}, {away, Author::Contact}},
+                   "straight",
+                   1,
+                   {0, 1e-6, 2e-6, 3e-6, "bolt"},
+                   {{"bolt", ContactKind::Thread, 4e-4, 4.1e-4,
+                     Message("nut taken 0.41 mm thinner on the thread of bolt (thread)")}}};
   nut.allowances.front().evidence = {4e-4, 1e-5, 1e-9, 1e-6, 2e-5};
   plan.steps.push_back(nut);
   plan.bodies.insert(plan.bodies.end(), {"wheel", "bearing"});
@@ -26,7 +26,7 @@ inline AssemblyPlan somePlan() {
   group.proof.required = 1e-6;
   group.with = {"bearing"};
   group.after = {1};
-  group.allowances = {{"plate", ContactKind::Press, 0.0, 1e-5, "plate taken thinner", "bearing", true}};
+  group.allowances = {{"plate", ContactKind::Press, 0.0, 1e-5, Message("plate taken thinner"), "bearing", true}};
   group.falling = {"rod"};
   plan.steps.push_back(group);
   plan.steps.front().fastener = FastenerKind::Nut;
@@ -41,7 +41,7 @@ inline AssemblyPlan somePlan() {
   plan.deflection = 5e-5;
   plan.refusals = {{"bolt", 0, 0, {"nut", "plate"}}, {"bolt", 1, 1, {"plate"}}, {"rod", 0, 1, {}}};
   plan.refusals.push_back({"bolt", 2, 1, {"plate"}, {"rod"}});
-  plan.stuck = {{"bolt", {"plate"}, "no motion was found"}, {"rod", {}}};
+  plan.stuck = {{"bolt", {"plate"}, Message("no motion was found")}, {"rod", {}}};
   plan.end = PlanEnd::Stuck;
   return plan;
 }

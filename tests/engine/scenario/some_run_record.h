@@ -17,7 +17,7 @@ inline std::shared_ptr<const SemanticEdits> someEdits() {
   auto edits = std::make_shared<SemanticEdits>();
   AttributeDefinition fragile;
   fragile.name = "fragile";
-  fragile.label = "fragile";
+  fragile.label = Message("fragile");
   fragile.type = AttributeType::Bool;
   fragile.initial = false;
   edits->definitions.push_back(fragile);

@@ -71,8 +71,9 @@ class EndlessStep final : public Planner {
 
 TEST(LockstepSession, TheTimeLimitEndsARunWithinItsFirstStep) {
   PlannerRegistry planners = makePlannerRegistry();
-  planners.add({"endless", "Endless", "", false, true,
-                [](const Problem&, std::uint64_t) { return std::make_unique<EndlessStep>(); }});
+  planners.add({"endless", Message("Endless"), {}, false, true, [](const Problem&, std::uint64_t) {
+                  return std::make_unique<EndlessStep>();
+                }});
   SessionConfig config = sessionConfig(closedProblem());
   config.plannerId = "endless";
   ASSERT_TRUE(config.parameters.set(ParameterId::TimeLimit, 0.02));

@@ -33,7 +33,7 @@ class ThrowingPlanner final : public Planner {
     throwing_ = true;
     if (place_ == Place::Solve) thrown_.raise();
     host.afterStep();  // reads the nodes
-    failure_ = Diagnostic{ErrorKind::NoPath, "", "", "it gives up", ""};
+    failure_ = Diagnostic{ErrorKind::NoPath, "", "", Message("it gives up"), {}};
     return false;
   }
   void completeRoadmap() override {
@@ -74,7 +74,11 @@ TEST_P(SessionExceptions, EndTheRunAndTheNextStartPlans) {
   const auto& [threaded, place, thrown] = GetParam();
   SessionConfig config = sessionConfig(windowProblem());
   PlannerRegistry planners = makePlannerRegistry();
-  planners.add({"throwing", "Throwing", "", false, true,
+  planners.add({"throwing",
+                Message("Throwing"),
+                {},
+                false,
+                true,
                 [place = place, &thrown = thrown](const Problem& problem, std::uint64_t) {
                   return std::make_unique<ThrowingPlanner>(problem, place, thrown);
                 }});
@@ -87,7 +91,8 @@ TEST_P(SessionExceptions, EndTheRunAndTheNextStartPlans) {
     EXPECT_EQ(snapshot->state, SessionState::Failed);
     ASSERT_TRUE(snapshot->problem);
     EXPECT_EQ(snapshot->problem->kind, thrown.kind);
-    EXPECT_NE(toString(snapshot->problem->reason).find(place == Place::Constructor ? "while starting the planner" : "while p"),
+    EXPECT_NE(toString(snapshot->problem->reason)
+                  .find(place == Place::Constructor ? "while starting the planner" : "while p"),
               std::string::npos)
         << toString(snapshot->problem->reason);
     EXPECT_FALSE(snapshot->problem->advice.empty());

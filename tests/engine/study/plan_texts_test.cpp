@@ -32,7 +32,7 @@ AssemblyPlan somePlan() {
   plan.steps.push_back(
       stepOf("pin", {Pose::identity(), Pose::translation({0.0, 0.0, 0.25}), Pose::translation({0.1, 0.0, 0.25})}));
   plan.steps[1].after = {1};
-  plan.steps[1].allowances.push_back({"cabinet", ContactKind::Thread, 4e-4, 4.1e-4, "text"});
+  plan.steps[1].allowances.push_back({"cabinet", ContactKind::Thread, 4e-4, 4.1e-4, Message("text")});
   plan.stuck = {{"drawer", {"cabinet"}}};
   plan.end = PlanEnd::Stuck;
   return plan;

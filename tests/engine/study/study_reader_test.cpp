@@ -92,7 +92,7 @@ TEST(StudyReader, RefusesMoreRunsThanAnybodyCanRunBeforeItSpellsThemOut) {
 
 TEST(StudyReader, TextThatIsNoStudy) {
   EXPECT_FALSE(parseStudy("", "study.json", false).ok());
-  EXPECT_THAT(parseStudy("toString({\n oops", "study.json", false).error().location), HasSubstr("line 2"));
+  EXPECT_THAT(toString(parseStudy("{\n oops", "study.json", false).error().location), HasSubstr("line 2"));
   const std::string good = test::tinyStudy().dump();
   for (std::size_t length = 1; length < good.size(); length += 7) {
     EXPECT_FALSE(parseStudy(good.substr(0, length), "truncated", false).ok()) << length;

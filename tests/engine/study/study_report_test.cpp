@@ -55,7 +55,7 @@ TEST_F(Report, SpeaksFrench) {
   Warnings warnings;
   const auto html = reportHtml(reportOf(*folder, warnings, Language::French));
   ASSERT_TRUE(html.ok());
-  EXPECT_EQ(StudyWords(Language::French)(name(Verdict::Holds)), "vérifié");
+  EXPECT_EQ(StudyWords(Language::French)(std::string(name(Verdict::Holds))), "vérifié");
   EXPECT_THAT(*html, HasSubstr("<html lang=\"fr\""));
   for (const char* french : {"Ce qui a été calculé", "2 sur 2", "Comment le refaire", "article"}) {
     EXPECT_THAT(*html, HasSubstr(french));

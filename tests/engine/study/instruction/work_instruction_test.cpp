@@ -140,7 +140,7 @@ TEST(InstructionWords, ASentenceHasTheVerbOfTheJoint) {
   step.fastener = FastenerKind::Nut;
   EXPECT_EQ(workSentence(step, "x", english), "Screw on x.");
   step.fastener = FastenerKind::None;
-  step.allowances.push_back({"base", ContactKind::Cylindrical, 0.0, 1e-5, ""});
+  step.allowances.push_back({"base", ContactKind::Cylindrical, 0.0, 1e-5, {}});
   EXPECT_EQ(workSentence(step, "x", english), "Insert x.");
   step.path.back().q.orientation = fromRollPitchYaw(0.0, 0.0, 1.0);
   EXPECT_EQ(workSentence(step, "x", english), "Turn in x.");
