@@ -159,7 +159,7 @@ void SessionCore::setPlanner(const std::string& id) {
   }
   std::string known;
   for (const PlannerEntry& entry : registry_.entries()) known += (known.empty() ? "" : ", ") + entry.id;
-  trouble_ = Diagnostic{ErrorKind::Usage, "", id, "there is no such planner", "Choose one of " + known + "."};
+  trouble_ = unknownPlanner(id, "Choose one of " + known + ".");
 }
 
 void SessionCore::setParameter(ParameterId id, double value) {

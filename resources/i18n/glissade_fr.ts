@@ -2627,8 +2627,16 @@
         <translation>la stratégie G n&apos;a trouvé aucun chemin dans sa limite d&apos;échantillons</translation>
     </message>
     <message>
-        <source>there is no such planner</source>
-        <translation>cette stratégie n&apos;existe pas</translation>
+        <source>&apos;%1&apos; is a planner for comparison, which only glissade-cli has</source>
+        <translation>«&#xa0;%1&#xa0;» est une stratégie de comparaison, que seul glissade-cli possède</translation>
+    </message>
+    <message>
+        <source>Run it with &apos;glissade-cli plan&apos;, &apos;replay&apos; or &apos;study&apos;, or choose another strategy.</source>
+        <translation>Lancez-la avec «&#xa0;glissade-cli plan&#xa0;», «&#xa0;replay&#xa0;» ou «&#xa0;study&#xa0;», ou choisissez une autre stratégie.</translation>
+    </message>
+    <message>
+        <source>See the list of the interaction panel.</source>
+        <translation>Voyez la liste du panneau d&apos;interaction.</translation>
     </message>
     <message>
         <source>there is no path to export</source>
@@ -7940,26 +7948,6 @@
     <message>
         <source>One tree of OMPL (EST)</source>
         <translation>Un arbre d&apos;OMPL (EST)</translation>
-    </message>
-    <message>
-        <source>For comparison: unmodified RRT-Connect</source>
-        <translation>Pour comparer&#xa0;: RRT-Connect non modifié</translation>
-    </message>
-    <message>
-        <source>For comparison: unmodified RRT</source>
-        <translation>Pour comparer&#xa0;: RRT non modifié</translation>
-    </message>
-    <message>
-        <source>For comparison: unmodified TRRT</source>
-        <translation>Pour comparer&#xa0;: TRRT non modifié</translation>
-    </message>
-    <message>
-        <source>For comparison: unmodified BiTRRT</source>
-        <translation>Pour comparer&#xa0;: BiTRRT non modifié</translation>
-    </message>
-    <message>
-        <source>For comparison: unmodified BKPIECE</source>
-        <translation>Pour comparer&#xa0;: BKPIECE non modifié</translation>
     </message>
     <message>
         <source>Geometry, places and semantics (GTS): the object goes through the passages that it fits best, and takes the next best way where one fails.</source>

@@ -96,11 +96,6 @@ inline constexpr const char* kEngineTexts[] = {
     QT_TRANSLATE_NOOP("Planners", "Cells explored, of OMPL (BKPIECE)"),
     QT_TRANSLATE_NOOP("Planners", "Roadmap of OMPL (PRM)"),
     QT_TRANSLATE_NOOP("Planners", "One tree of OMPL (EST)"),
-    QT_TRANSLATE_NOOP("Planners", "For comparison: unmodified RRT-Connect"),
-    QT_TRANSLATE_NOOP("Planners", "For comparison: unmodified RRT"),
-    QT_TRANSLATE_NOOP("Planners", "For comparison: unmodified TRRT"),
-    QT_TRANSLATE_NOOP("Planners", "For comparison: unmodified BiTRRT"),
-    QT_TRANSLATE_NOOP("Planners", "For comparison: unmodified BKPIECE"),
     QT_TRANSLATE_NOOP("Planners", "Automatic"),
     QT_TRANSLATE_NOOP(
         "Planners",
