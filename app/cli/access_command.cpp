@@ -29,7 +29,7 @@ Json toJson(const MotionAccess& motion, const std::vector<RigidBody>& bodies) {
   const auto name = [&bodies](const std::optional<std::size_t>& body) {
     return body ? Json(bodies[*body].id) : Json(nullptr);
   };
-  Json json{{"hand", kHandAccessNames.of(motion.hand.access)}, {"tool", toolName(motion.tool)}};
+  Json json{{"hand", kHandAccessNames.of(motion.hand.access)}, {"tool", kToolNames.of(motion.tool)}};
   if (motion.hand.access == HandAccess::Free || motion.hand.access == HandAccess::Blocked) {
     json["hand_pose"] = poseJson(motion.hand.hold.X_WH);
     json["blocked_at_share"] = motion.hand.access == HandAccess::Free ? Json(nullptr) : Json(motion.hand.share);
@@ -65,7 +65,7 @@ std::string sightInWords(const SightAnswer& sight, const std::vector<RigidBody>&
 
 std::string accessInWords(const MotionAccess& motion, const std::vector<RigidBody>& bodies) {
   std::string text = handInWords(motion.hand, bodies);
-  if (motion.tool != ToolKind::None) text += " with the tool (" + std::string(toolName(motion.tool)) + ")";
+  if (motion.tool != ToolKind::None) text += " with the tool (" + std::string(kToolNames.of(motion.tool)) + ")";
   return text + "; " + sightInWords(motion.sight, bodies);
 }
 

@@ -42,13 +42,13 @@ Json toJson(const PairFit& row) {
   const Contact& contact = row.contact;
   Json json{{"a", row.a},
             {"b", row.b},
-            {"kind", kindName(contact.kind)},
+            {"kind", kContactKindNames.of(contact.kind)},
             {"gap_m", contact.gap},
             {"overlap_m", contact.overlap},
             {"uncertainty_m", contact.uncertainty},
             {"thinner", row.thinner()},
             {"allowance_m", row.way().allowance()},
-            {"status", statusName(row.status())},
+            {"status", kFitStatusNames.of(row.status())},
             {"ways", {toJson(row.ways[0], row.a, row.b), toJson(row.ways[1], row.b, row.a)}}};
   if (contact.isPlainOverlap) json["plain_overlap"] = true;
   if (contact.axis) {
@@ -131,10 +131,10 @@ void printCsv(const std::vector<PairFit>& rows, const Product& tree) {
     const Contact& contact = row.contact;
     std::vector<std::string> thinner;
     for (const std::string& id : row.thinner()) thinner.push_back(nameOf(id));
-    std::cout << quoted(nameOf(row.a)) << "," << quoted(nameOf(row.b)) << "," << kindName(contact.kind) << ","
-              << toText(contact.gap) << "," << toText(contact.overlap) << "," << toText(contact.uncertainty) << ","
-              << toText(row.way().allowance()) << "," << statusName(row.status()) << "," << quoted(joined(thinner))
-              << "," << quoted(row.way().refused) << "\n";
+    std::cout << quoted(nameOf(row.a)) << "," << quoted(nameOf(row.b)) << "," << kContactKindNames.of(contact.kind)
+              << "," << toText(contact.gap) << "," << toText(contact.overlap) << "," << toText(contact.uncertainty)
+              << "," << toText(row.way().allowance()) << "," << kFitStatusNames.of(row.status()) << ","
+              << quoted(joined(thinner)) << "," << quoted(row.way().refused) << "\n";
   }
 }
 
@@ -187,8 +187,8 @@ void printTable(const std::vector<PairFit>& rows, const Volumes& volumes, std::s
   for (const PairFit& row : rows) {
     const Contact& contact = row.contact;
     const bool overlaps = contact.overlap > 0.0;
-    std::cout << std::setw(12) << kindName(contact.kind) << (overlaps ? "overlap " : "gap     ") << std::right
-              << std::setw(8) << 1e3 * (overlaps ? contact.overlap : contact.gap) << " mm";
+    std::cout << std::setw(12) << kContactKindNames.of(contact.kind) << (overlaps ? "overlap " : "gap     ")
+              << std::right << std::setw(8) << 1e3 * (overlaps ? contact.overlap : contact.gap) << " mm";
     if (contact.uncertainty > 0.0) {
       std::cout << " +- " << 1e3 * contact.uncertainty;
     } else {

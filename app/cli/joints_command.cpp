@@ -46,13 +46,13 @@ std::string threadInWords(const JointThread& thread) {
 
 std::string driveInWords(const Joint& joint) {
   if (joint.drive == DriveKind::None) return {};
-  return std::string(driveName(joint.drive)) +
+  return std::string(kDriveNames.of(joint.drive)) +
          (joint.driveSize > 0.0 ? " " + rounded(1e3 * joint.driveSize, 3) + " mm" : "");
 }
 
 Cells cellsOf(const Joint& joint, const AssembledProduct& product) {
-  return {jointName(joint.kind),
-          jointStateName(joint.state) + std::string(joint.isDoubtful ? " (?)" : ""),
+  return {kJointKindNames.of(joint.kind),
+          kJointStateNames.of(joint.state) + std::string(joint.isDoubtful ? " (?)" : ""),
           product.bodies[joint.body].shown(),
           shownOf(joint.others, product),
           shownOf(joint.clamped, product),
@@ -64,7 +64,7 @@ Cells cellsOf(const Joint& joint, const AssembledProduct& product) {
 
 std::map<std::string, int> countsOf(const Joints& joints) {
   std::map<std::string, int> counts;
-  for (const Joint& joint : joints) ++counts[jointName(joint.kind)];
+  for (const Joint& joint : joints) ++counts[kJointKindNames.of(joint.kind)];
   return counts;
 }
 

@@ -8,11 +8,13 @@
 #include <iostream>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "app/cli/commands.h"
 #include "app/cli/printable_output.h"
 #include "app/version_text.h"
+#include "engine/base/enum_names.h"
 #include "engine/base/guarded.h"
 #include "engine/base/limits.h"
 #include "engine/base/number_text.h"
@@ -56,6 +58,16 @@ void addLength(CLI::App& command, const std::string& option, const std::function
       option, [take](const std::string& text) { take(metres(text)); }, help);
 }
 
+/// Adds an option whose values are the names of an enumeration.
+template <class Value, class Enum, std::size_t count>
+void addChoice(CLI::App& command, const std::string& option, Value& value, const EnumNames<Enum, count>& names,
+               const std::string& help) {
+  command
+      .add_option_function<std::string>(
+          option, [&value, &names](const std::string& name) { value = *names.find(name); }, help)
+      ->check(CLI::IsMember(std::set<std::string>(names.names.begin(), names.names.end())));
+}
+
 /// Adds one option for each row of the parameter table. Ranges are checked when the object's size is known.
 void addParameters(CLI::App& command, std::map<ParameterId, double>& values) {
   for (const ParameterSpec& spec : parameterTable()) {
@@ -97,16 +109,8 @@ CLI::App* addPlan(CLI::App& app, PlanOptions& options) {
   CLI::App* plan = app.add_subcommand("plan", "Plan a motion and deliver it with its certificate");
   plan->add_option("SCENARIO", options.scenario, "Scenario file or OMPL.app .cfg")->required();
   plan->add_option("--strategy", options.strategy, "Planner: " + plannerNames() + " (default: the scenario's)");
-  const std::map<std::string, CollisionBackend> backends{{"kernel", CollisionBackend::Kernel},
-                                                         {"fcl", CollisionBackend::Fcl}};
-  plan->add_option_function<std::string>(
-      "--collision",
-      [&options, backends](const std::string& name) {
-        const auto backend = backends.find(name);
-        if (backend == backends.end()) throw CLI::ValidationError("--collision", "'" + name + "' is not kernel or fcl");
-        options.collision = backend->second;
-      },
-      "Collision checker: kernel or fcl (default: kernel)");
+  addChoice(*plan, "--collision", options.collision, kCollisionBackendNames,
+            "Collision checker: kernel or fcl (default: kernel)");
   addFitOptions(*plan, options.fits, "the scenario's");
   plan->add_option("--operator", options.operatorName,
                    "Operator: none, novice, default, expert, simulated-haptic, task-novice, task-expert, misleading or "
@@ -321,13 +325,8 @@ CLI::App* addAccess(CLI::App& app, AccessOptions& options) {
   access->add_option("FILE", options.file, "The scenario of the path, or the product of the plan")->required();
   access->add_option("--path", options.path, "Path of the object: " + readablePathFormats());
   access->add_option("--plan", options.plan, "Assembly plan, as 'sequence --out' writes it");
-  std::map<std::string, HandSize> sizes;
-  for (const HandSize size : kHandSizes) sizes[kHandSizeNames.of(size)] = size;
-  access
-      ->add_option_function<std::string>(
-          "--hand", [&options, sizes](const std::string& size) { options.hand = sizes.at(size); },
-          "Whose hand: p5f 5th percentile of women, p50 average, p95m 95th percentile of men (default: p50)")
-      ->check(CLI::IsMember(sizes));
+  addChoice(*access, "--hand", options.hand, kHandSizeNames,
+            "Whose hand: p5f 5th percentile of women, p50 average, p95m 95th percentile of men (default: p50)");
   access
       ->add_option("--eye", options.eye,
                    "From where the place is looked at: x y z in metres (default: 17 positions above it are tried)")
@@ -368,11 +367,8 @@ CLI::App* addNew(CLI::App& app, NewOptions& options) {
       *make, "--unit", [&options](double unit) { options.unit = unit; },
       "A unit of the files, as 1mm, 1m, 1in or 25.4mm (default: 1m for Collada and glTF; for other meshes 1mm, or 1m "
       "where only that fits their size, which a warning says); STEP and URDF files say it themselves");
-  const std::map<std::string, UpAxis> axes{{"y", UpAxis::Y}, {"z", UpAxis::Z}};
-  make->add_option_function<std::string>(
-          "--up", [&options, axes](const std::string& axis) { options.up = axes.at(axis); },
-          "The files' axis that points up (default: y for Collada and glTF, z for other meshes)")
-      ->check(CLI::IsMember(axes));
+  addChoice(*make, "--up", options.up, kUpAxisNames,
+            "The files' axis that points up (default: y for Collada and glTF, z for other meshes)");
   addLength(
       *make, "--deflection",
       [&options](double deflection) {

@@ -119,8 +119,8 @@ std::string deviationInWords(const LoadedScenario& scenario, const std::vector<P
 void printEdges(const MotionCertificate& certificate, const CollisionWorld& world) {
   for (std::size_t i = 0; i < certificate.edges.size(); ++i) {
     const EdgeCertificate& edge = certificate.edges[i];
-    std::cout << "  edge " << i << ": " << statusName(edge.status) << ", clearance " << edge.provedClearance * 1e3
-              << " to " << edge.minClearance * 1e3 << " mm";
+    std::cout << "  edge " << i << ": " << kCertificateStatusNames.of(edge.status) << ", clearance "
+              << edge.provedClearance * 1e3 << " to " << edge.minClearance * 1e3 << " mm";
     if (edge.nearest.body >= 0) std::cout << " to '" << bodyName(world, edge.nearest.body) << "' at " << edge.at;
     std::cout << " (required " << edge.demand.clearance * 1e3 << " mm" << (edge.demand.sliding ? ", sliding" : "")
               << ")\n";

@@ -8,11 +8,11 @@
 #include <numeric>
 
 #include "app/cli/difficulty_report.h"
+#include "engine/base/enum_names.h"
 #include "engine/base/file.h"
 #include "engine/collision/thread_rule.h"
 #include "engine/planning/automatic/straight_ways_out.h"
 #include "engine/planning/screw_motion.h"
-#include "engine/scenario/author_names.h"
 #include "engine/scenario/path_exporter.h"
 #include "engine/scenario/run_record.h"
 #include "engine/scenario/scenario_io.h"
@@ -35,15 +35,7 @@ std::string status(const SessionSnapshot& end) {
   }
 }
 
-const char* name(StepResult result) {
-  switch (result) {
-    case StepResult::Pending: return "pending";
-    case StepResult::Running: return "running";
-    case StepResult::Solved: return "solved";
-    case StepResult::Failed: return "failed";
-  }
-  return "";
-}
+constexpr EnumNames<StepResult, 4> kStepResultNames{{"pending", "running", "solved", "failed"}};
 
 Json toJson(const CoarsePlan& plan) {
   Json steps = Json::array();
@@ -54,7 +46,7 @@ Json toJson(const CoarsePlan& plan) {
                      {"geometrical", step.geometrical},
                      {"why", step.why},
                      {"random_configurations", step.randomConfigurations},
-                     {"result", name(step.result)}});
+                     {"result", kStepResultNames.of(step.result)}});
   }
   return {{"attempt", plan.attempt},
           {"cost", plan.cost},
@@ -174,8 +166,8 @@ void printText(const SessionSnapshot& end, const CollisionWorld& world) {
   if (end.coarsePlan) {
     std::cout << "coarse path " << end.coarsePlan->attempt << ":\n";
     for (const TopologicalStep& step : end.coarsePlan->steps) {
-      std::cout << "  " << step.placeName << " to " << step.borderName << ": " << name(step.result) << ", "
-                << step.randomConfigurations << " random configurations (" << step.why << ")\n";
+      std::cout << "  " << step.placeName << " to " << step.borderName << ": " << kStepResultNames.of(step.result)
+                << ", " << step.randomConfigurations << " random configurations (" << step.why << ")\n";
     }
   }
   if (end.hand) printHand(*end.hand, end.path != nullptr);

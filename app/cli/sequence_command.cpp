@@ -189,10 +189,10 @@ Result<SequenceDemands> demandsOf(const SequenceOptions& options, SequenceDemand
   }
   if (!options.cost.empty()) demands.cost = options.cost;
   if (!options.joints.empty()) {
-    const auto use = jointUseByName(options.joints);
+    const auto use = kJointUseNames.find(options.joints);
     if (!use) {
       return Diagnostic{ErrorKind::Usage, "", "--joints", "is unknown: " + options.joints,
-                        "Choose recognised, suggested or off."};
+                        "Choose one of: " + kJointUseNames.listed() + "."};
     }
     demands.jointUse = *use;
   }
@@ -257,7 +257,7 @@ void printSteps(const std::vector<AssemblyStep>& steps, const std::string& group
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const AssemblyStep& step = steps[i];
     std::cout << before << std::setw(4) << stepNumber(steps.size() - 1 - i, group) << "  " << host.namesOf(step);
-    if (step.fastener != FastenerKind::None) std::cout << " (" << fastenerName(step.fastener) << ")";
+    if (step.fastener != FastenerKind::None) std::cout << " (" << kFastenerNames.of(step.fastener) << ")";
     std::cout << ": " << step.method;
     if (!step.certified) std::cout << ", not certified";
     if (!step.proof.nearest.empty()) {

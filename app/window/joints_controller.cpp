@@ -15,10 +15,9 @@ namespace {
 using Words = ScriptCommands::Words;
 
 Result<JointKind> kindIn(const std::string& word) {
-  const auto kind = jointByName(word);
+  const auto kind = kJointKindNames.find(word);
   if (kind) return *kind;
-  return wrongCommand("'" + word + "' is no kind of joint",
-                      "Say screw, nut, thread, insert, pin, snap, flexible, permanent or unit.");
+  return wrongCommand("'" + word + "' is no kind of joint", "Say one of: " + kJointKindNames.listed() + ".");
 }
 
 /// The number of joints of this kind in the panel that count.
@@ -33,7 +32,7 @@ std::size_t countOf(const JointsPanel& panel, JointKind kind) {
 std::string stateOf(const JointsPanel& panel, JointKind kind, const std::string& body) {
   if (!panel.table()) return "none";
   for (const JointRow& row : panel.table()->rows()) {
-    if (row.key.kind == kind && row.key.body == body) return jointRowStateName(row.state);
+    if (row.key.kind == kind && row.key.body == body) return kJointRowStateNames.of(row.state);
   }
   return "none";
 }

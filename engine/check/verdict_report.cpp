@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "engine/base/enum_names.h"
 #include "engine/base/quantity_text.h"
 #include "engine/check/plain_overlaps.h"
 #include "engine/check/verdict_words.h"
@@ -18,14 +19,8 @@ using Report = nlohmann::ordered_json;
 
 Report finite(double value) { return std::isfinite(value) ? Report(value) : Report(nullptr); }
 
-const char* nameOf(Status status) {
-  switch (status) {
-    case Status::Certified: return "certified";
-    case Status::Violated: return "violated";
-    case Status::Undecided: return "undecided";
-  }
-  return "";
-}
+constexpr EnumNames<Status, 3> kStatusNames{{"certified", "violated", "undecided"}};
+constexpr EnumNames<PlanOutcome, 5> kOutcomeNames{{"valid", "conditional", "incomplete", "undecided", "invalid"}};
 
 std::string bodyName(const Nearest& nearest, const Product& product) {
   return nearest.body < 0 ? std::string() : product.bodies[static_cast<std::size_t>(nearest.body)].name;
@@ -83,7 +78,7 @@ std::string threadInWords(const PathVerdict& verdict, const Question& question) 
 }
 
 Report edgeJson(const EdgeVerdict& edge, const Product& product) {
-  Report json{{"status", nameOf(edge.status)},
+  Report json{{"status", kStatusNames.of(edge.status)},
               {"required_m", edge.demand.clearance},
               {"sliding", edge.demand.sliding},
               {"proved_clearance_m", finite(edge.provedClearance)},
@@ -138,8 +133,8 @@ std::string missingWords(const MissingShapes& missing) {
 void addEdges(const MotionVerdict& verdict, const Product& product, std::ostringstream& text) {
   for (std::size_t i = 0; i < verdict.edges.size(); ++i) {
     const EdgeVerdict& edge = verdict.edges[i];
-    text << "  edge " << i << ": " << nameOf(edge.status) << ", clearance " << edge.provedClearance * 1e3 << " to "
-         << edge.minClearance * 1e3 << " mm";
+    text << "  edge " << i << ": " << kStatusNames.of(edge.status) << ", clearance " << edge.provedClearance * 1e3
+         << " to " << edge.minClearance * 1e3 << " mm";
     if (edge.nearest.body >= 0) text << " to '" << bodyName(edge.nearest, product) << "'";
     text << (edge.demand.sliding ? ", slides\n" : "\n");
   }
@@ -221,7 +216,7 @@ std::string reportText(const PathVerdict& verdict, const Question& question, boo
 Report reportJson(const PathVerdict& verdict, const Question& question, bool edges) {
   const Product& product = question.product;
   const MotionVerdict& motion = verdict.motion.verdict;
-  Report certificate{{"status", nameOf(motion.status)},
+  Report certificate{{"status", kStatusNames.of(motion.status)},
                      {"min_clearance_m", finite(motion.minClearance)},
                      {"proved_clearance_m", finite(motion.provedClearance)},
                      {"tolerance_m", motion.demanded},
@@ -264,7 +259,7 @@ std::string whyInvalid(const StepVerdict& step, const Product& product) {
   const MotionVerdict& motion = step.motion.verdict;
   if (!step.certified() && !step.isFlexible) {
     const std::string body = bodyName(motion.nearest, product);
-    text << " its motion is " << nameOf(motion.status) << " on edge " << motion.edge;
+    text << " its motion is " << kStatusNames.of(motion.status) << " on edge " << motion.edge;
     if (motion.againstThread) text << ", because it is no turn in the thread it has with";
     if (!body.empty()) text << (motion.againstThread ? " '" : " by '") << body << "'";
     text << (step.motion.why.empty() ? "" : ": ") << step.motion.why << ";";
@@ -301,13 +296,9 @@ std::string partsInWords(const PlanVerdict& verdict) {
 }
 
 std::string headlineOf(const PlanVerdict& verdict, const Product& product) {
-  switch (verdict.outcome()) {
-    case PlanOutcome::Valid: return validWords(product);
-    case PlanOutcome::Incomplete: return "incomplete: ";
-    case PlanOutcome::Undecided: return "undecided: ";
-    case PlanOutcome::Invalid: return "invalid: ";
-    case PlanOutcome::Conditional: break;
-  }
+  const PlanOutcome outcome = verdict.outcome();
+  if (outcome == PlanOutcome::Valid) return validWords(product);
+  if (outcome != PlanOutcome::Conditional) return std::string(kOutcomeNames.of(outcome)) + ": ";
   const std::vector<Condition> conditions = verdict.allConditions();
   if (conditions.size() == 1) return "valid only if " + conditions.front().text + ": ";
   return "valid only under " + std::to_string(conditions.size()) + " conditions that the plan states itself: ";
@@ -377,17 +368,6 @@ Report conditionsJson(const std::vector<Condition>& conditions) {
   return list;
 }
 
-const char* nameOf(PlanOutcome outcome) {
-  switch (outcome) {
-    case PlanOutcome::Valid: return "valid";
-    case PlanOutcome::Conditional: return "conditional";
-    case PlanOutcome::Incomplete: return "incomplete";
-    case PlanOutcome::Undecided: return "undecided";
-    case PlanOutcome::Invalid: return "invalid";
-  }
-  return "";
-}
-
 Report stepsJson(const std::vector<StepVerdict>& steps, const std::string& group, const Product& product) {
   Report report = Report::array();
   for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -418,7 +398,7 @@ Report stepsJson(const std::vector<StepVerdict>& steps, const std::string& group
 Report reportJson(const PlanVerdict& verdict, const Product& product) {
   const PlanOutcome outcome = verdict.outcome();
   Report report{{"valid", outcome == PlanOutcome::Valid},
-                {"verdict", nameOf(outcome)},
+                {"verdict", kOutcomeNames.of(outcome)},
                 {"complete", verdict.remaining == 0 && verdict.inGroups == 0 && verdict.parts > 0},
                 {"parts", verdict.parts},
                 {"parts_without_step", verdict.remaining},

@@ -509,12 +509,6 @@ std::optional<Designation> readDesignation(const std::string& name, bool* isUnkn
 
 }  // namespace
 
-const char* standardPartName(StandardPart part) {
-  constexpr std::array<const char*, 10> kNames{"screw",   "set screw",      "nut",  "washer", "insert", "pin",
-                                               "bearing", "retaining ring", "belt", "seal"};
-  return kNames[static_cast<std::size_t>(part)];
-}
-
 std::optional<Designation> designationIn(const std::string& name) {
   bool isUnknown = false;
   return readDesignation(name.substr(0, kLongestName), &isUnknown);

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/base/enum_names.h"
 #include "engine/base/result.h"
 #include "engine/product/joint.h"
 
@@ -11,8 +12,9 @@ namespace glissade {
 /// Kinds of standard parts.
 enum class StandardPart { Screw, SetScrew, Nut, Washer, Insert, Pin, Bearing, Ring, Belt, Seal };
 
-/// "screw", "set screw", "nut", ... for people.
-const char* standardPartName(StandardPart part);
+/// Names for people.
+inline constexpr EnumNames<StandardPart, 10> kStandardPartNames{
+    {"screw", "set screw", "nut", "washer", "insert", "pin", "bearing", "retaining ring", "belt", "seal"}};
 
 /// A standard part as a name states it: "ISO 4762 M3x8", "M3x8 SHCS", "608ZZ".
 struct Designation {

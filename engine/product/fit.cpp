@@ -32,7 +32,7 @@ std::string inWords(const Fit& fit, const std::string& object, const std::string
   if (roleOfThinner(fit) == Fit::Role::Hole) where = isThread ? " on the thread of " : " on the shaft of ";
   const std::string person = fit.evidence.byPerson > 0.0 ? ", as a person allows" : "";
   std::string words = thinner + " taken " + inMillimetres(fit.allowance) + " thinner" + where + other + " (" +
-                      kindName(fit.kind) + person + ")";
+                      kContactKindNames.of(fit.kind) + person + ")";
   if (!fit.thread) return words;
   words += ", pitch " + inMillimetres(fit.thread->rule.pitch);
   return fit.thread->size.empty() ? words : words + " (ISO coarse, " + fit.thread->size + ")";

@@ -189,7 +189,7 @@ JointKey keyOf(const Joint& joint, const AssembledProduct& product) {
   return key;
 }
 
-std::string inWords(const JointKey& key) { return std::string(jointName(key.kind)) + " of " + key.body; }
+std::string inWords(const JointKey& key) { return std::string(kJointKindNames.of(key.kind)) + " of " + key.body; }
 
 Result<Joints> applied(Joints joints, const std::vector<JointEdit>& edits, const AssembledProduct& product) {
   if (edits.empty()) return joints;

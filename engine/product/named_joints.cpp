@@ -77,8 +77,8 @@ void addDrive(const Designation& said, Joint& joint) {
     return;
   }
   if (joint.drive != said.drive) {
-    doubt(joint, std::string("the name says the drive '") + driveName(said.drive) + "', the shape is '" +
-                     driveName(joint.drive) + "'");
+    doubt(joint, std::string("the name says the drive '") + kDriveNames.of(said.drive) + "', the shape is '" +
+                     kDriveNames.of(joint.drive) + "'");
   } else if (said.driveSize > 0.0 && joint.driveSize > 0.0 &&
              std::abs(joint.driveSize - said.driveSize) > kSameDriveSize * said.driveSize) {
     doubt(joint, "the name says a drive of " + inMillimetres(said.driveSize) + ", the shape has " +
@@ -89,7 +89,7 @@ void addDrive(const Designation& said, Joint& joint) {
 /// Adds the designation of the body's name.
 void addDesignation(const Designation& said, Joint& joint) {
   if (!agrees(said.part, joint.kind)) {
-    doubt(joint, std::string("the name says '") + standardPartName(said.part) + "'");
+    doubt(joint, std::string("the name says '") + kStandardPartNames.of(said.part) + "'");
     return;
   }
   // A word such as "screw" is evidence, but no designation.

@@ -17,7 +17,7 @@ double readAllowance(const JsonCursor& at) {
 }
 
 ContactKind readKind(const JsonCursor& at) {
-  const auto kind = kindByName(at.text());
+  const auto kind = kContactKindNames.find(at.text());
   if (!kind || *kind == ContactKind::Clearance) {
     at.fail("is not a kind of fit", "Give planar, cylindrical, thread, press, overlap, contact or clash.");
   }
@@ -69,7 +69,7 @@ bool isSamePair(const FitEdit& one, const FitEdit& other) {
 
 Json toJson(const FitEdit& edit) {
   Json json{{"a", edit.a}, {"b", edit.b}};
-  if (edit.kind) json["kind"] = kindName(*edit.kind);
+  if (edit.kind) json["kind"] = kContactKindNames.of(*edit.kind);
   if (edit.allowance) json["allowance"] = *edit.allowance;
   if (edit.accepted) json["accepted"] = true;
   if (edit.pitch) json["pitch_m"] = *edit.pitch;

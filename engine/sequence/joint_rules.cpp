@@ -213,7 +213,7 @@ std::string JointRules::inWords(const std::vector<std::size_t>& joints) const {
   std::string text;
   for (const auto& [what, bodies] : alike) {
     text += text.empty() ? "held by " : " and ";
-    text += std::to_string(bodies.size()) + " " + jointName(what.first) + (bodies.size() > 1 ? "s" : "");
+    text += std::to_string(bodies.size()) + " " + kJointKindNames.of(what.first) + (bodies.size() > 1 ? "s" : "");
     if (!what.second.empty()) text += " " + what.second;
   }
   return text;

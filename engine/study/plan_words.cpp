@@ -229,7 +229,7 @@ std::vector<std::string> PlanWords::allowances(const AssemblyStep& step, const A
               : words_("without what overlaps %2, up to %1 deep (accepted clash)", {length, other.shown()}));
       continue;
     }
-    std::string kind = words_(kindName(allowance.kind));
+    std::string kind = words_(kContactKindNames.of(allowance.kind));
     if (allowance.evidence.byPerson > 0.0) kind += words_(", as a person allows");
     texts.push_back(allowance.yields ? words_("%1 taken %2 thinner (%3)", {other.shown(), length, kind})
                                      : words_("taken %1 thinner against %2 (%3)", {length, other.shown(), kind}));

@@ -103,7 +103,7 @@ ReportTable endingsTable(const Study& study, const std::vector<CellSummary>& sum
                    {words("Planned"), ReportColumn::Kind::Number},
                    {words("Run"), ReportColumn::Kind::Number}};
   for (std::size_t s = 0; s < kRunStatusCount; ++s) {
-    table.columns.push_back({words(name(static_cast<RunStatus>(s))), ReportColumn::Kind::Number});
+    table.columns.push_back({words(kRunStatusNames.of(static_cast<RunStatus>(s))), ReportColumn::Kind::Number});
   }
   for (std::size_t i = 0; i < study.cells.size(); ++i) {
     const StudyCell& cell = study.cells[i];

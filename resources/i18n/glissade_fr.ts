@@ -5503,10 +5503,6 @@
         <translation>«&#xa0;%1&#xa0;» demande l&apos;outil «&#xa0;%2&#xa0;», qui est inconnu</translation>
     </message>
     <message>
-        <source>Choose hex_key, socket, screwdriver, open_wrench or none.</source>
-        <translation>Choisissez hex_key, socket, screwdriver, open_wrench ou none.</translation>
-    </message>
-    <message>
         <source>Choose a device again.</source>
         <translation>Choisissez de nouveau un périphérique.</translation>
     </message>
@@ -5627,10 +5623,6 @@
         <translation>Utilisez une version plus récente de Glissade.</translation>
     </message>
     <message>
-        <source>is not screw, nut, washer, pin or none</source>
-        <translation>n&apos;est pas screw, nut, washer, pin ou none</translation>
-    </message>
-    <message>
         <source>reaches %1 m from the world&apos;s origin, beyond 1e9 m</source>
         <translation>s&apos;étend à %1 m de l&apos;origine du monde, au-delà de 1e9 m</translation>
     </message>
@@ -5649,10 +5641,6 @@
     <message>
         <source>is not a kind of fit</source>
         <translation>n&apos;est pas un type d&apos;ajustement</translation>
-    </message>
-    <message>
-        <source>Give planar, cylindrical, thread, press, overlap, contact or clash.</source>
-        <translation>Donnez planar, cylindrical, thread, press, overlap, contact ou clash.</translation>
     </message>
     <message>
         <source>has no effect, because the pair is not marked as a thread</source>
@@ -5871,6 +5859,18 @@
         <translation>les chemins ne s&apos;écrivent pas en «&#xa0;.%1&#xa0;»</translation>
     </message>
     <message>
+        <source>Give planar, cylindrical, thread, press, overlap, contact or clash.</source>
+        <translation>Donnez planar, cylindrical, thread, press, overlap, contact ou clash.</translation>
+    </message>
+    <message>
+        <source>is not one of: %1</source>
+        <translation>n&apos;est pas l&apos;une des valeurs&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>names a fastener that is not one of: %1</source>
+        <translation>nomme une fixation qui n&apos;est pas l&apos;une de&#xa0;: %1</translation>
+    </message>
+    <message>
         <source>Choose one of: %1.</source>
         <translation>Choisissez parmi&#xa0;: %1.</translation>
     </message>
@@ -5961,14 +5961,6 @@
     <message>
         <source>stays, or has left before</source>
         <translation>reste, ou est déjà sorti</translation>
-    </message>
-    <message>
-        <source>is not hex_key, socket, screwdriver, open_wrench or none</source>
-        <translation>n&apos;est pas hex_key, socket, screwdriver, open_wrench ou none</translation>
-    </message>
-    <message>
-        <source>is not not_asked, free or blocked</source>
-        <translation>n&apos;est pas not_asked, free ou blocked</translation>
     </message>
     <message>
         <source>is not an earlier step</source>
@@ -6075,10 +6067,6 @@
         <translation>n&apos;est pas une couleur&#xa0;: trois nombres de 0 à 1</translation>
     </message>
     <message>
-        <source>is neither &quot;y&quot; nor &quot;z&quot;</source>
-        <translation>n&apos;est ni «&#xa0;y&#xa0;» ni «&#xa0;z&#xa0;»</translation>
-    </message>
-    <message>
         <source>does not name exactly one shape</source>
         <translation>ne nomme pas exactement une forme</translation>
     </message>
@@ -6093,10 +6081,6 @@
     <message>
         <source>has a size that is not above zero, or below 1e-12 m</source>
         <translation>a une taille nulle, négative ou inférieure à 1e-12 m</translation>
-    </message>
-    <message>
-        <source>is neither &quot;static&quot; nor &quot;mobile&quot;</source>
-        <translation>n&apos;est ni «&#xa0;static&#xa0;» ni «&#xa0;mobile&#xa0;»</translation>
     </message>
     <message>
         <source>is for mesh files only</source>
@@ -6167,18 +6151,6 @@
         <translation>Donnez 2 à 8.</translation>
     </message>
     <message>
-        <source>is neither &quot;place&quot; nor &quot;body&quot;</source>
-        <translation>n&apos;est ni «&#xa0;place&#xa0;» ni «&#xa0;body&#xa0;»</translation>
-    </message>
-    <message>
-        <source>is not a type of attribute</source>
-        <translation>n&apos;est pas un type d&apos;attribut</translation>
-    </message>
-    <message>
-        <source>Give bool, integer, number, text or choice.</source>
-        <translation>Donnez bool, integer, number, text ou choice.</translation>
-    </message>
-    <message>
         <source>names fewer than %1 bodies</source>
         <translation>nomme moins de %1 corps</translation>
     </message>
@@ -6193,10 +6165,6 @@
     <message>
         <source>is not two texts</source>
         <translation>n&apos;est pas fait de deux textes</translation>
-    </message>
-    <message>
-        <source>is not a body and screw, nut, washer, pin or none</source>
-        <translation>n&apos;est pas un corps suivi de screw, nut, washer, pin ou none</translation>
     </message>
     <message>
         <source>is not 1 or more</source>
@@ -6611,24 +6579,8 @@
         <translation>Nommez un assemblage qui n&apos;en dépend pas.</translation>
     </message>
     <message>
-        <source>is not off, recognised or suggested</source>
-        <translation>n&apos;est pas off, recognised ou suggested</translation>
-    </message>
-    <message>
-        <source>is not before, fastener, standing, place or joint</source>
-        <translation>n&apos;est pas before, fastener, standing, place ou joint</translation>
-    </message>
-    <message>
         <source>is not certified or not_certified</source>
         <translation>n&apos;est pas certified ou not_certified</translation>
-    </message>
-    <message>
-        <source>is not a kind of joint</source>
-        <translation>n&apos;est pas un type de liaison</translation>
-    </message>
-    <message>
-        <source>is not a kind of drive</source>
-        <translation>n&apos;est pas un type d&apos;empreinte</translation>
     </message>
     <message>
         <source>is deeper than %1 lines</source>
@@ -6639,28 +6591,12 @@
         <translation>n&apos;est pas une étape qui le précède</translation>
     </message>
     <message>
-        <source>is no word about a joint</source>
-        <translation>n&apos;est pas une parole sur une liaison</translation>
-    </message>
-    <message>
-        <source>Give confirmed, dissolved, pressed_out or opened.</source>
-        <translation>Donnez confirmed, dissolved, pressed_out ou opened.</translation>
-    </message>
-    <message>
         <source>has no length</source>
         <translation>n&apos;a pas de longueur</translation>
     </message>
     <message>
         <source>Give a direction, as [0, 0, 1].</source>
         <translation>Donnez une direction, par exemple [0, 0, 1].</translation>
-    </message>
-    <message>
-        <source>is not a drive</source>
-        <translation>n&apos;est pas une empreinte</translation>
-    </message>
-    <message>
-        <source>Give hex, hex_socket, cross, slot, six_lobe or none.</source>
-        <translation>Donnez hex, hex_socket, cross, slot, six_lobe ou none.</translation>
     </message>
     <message>
         <source>has no effect, because the joint is not confirmed</source>
@@ -7023,14 +6959,6 @@
         <translation>Enregistrez de nouveau le logo en PNG.</translation>
     </message>
     <message>
-        <source>is no column of the parts list</source>
-        <translation>n&apos;est pas une colonne de la nomenclature</translation>
-    </message>
-    <message>
-        <source>Take picture, part, designation, count or steps.</source>
-        <translation>Prenez picture, part, designation, count ou steps.</translation>
-    </message>
-    <message>
         <source>names no column</source>
         <translation>ne nomme aucune colonne</translation>
     </message>
@@ -7125,10 +7053,6 @@
     <message>
         <source>Fetch it (git lfs pull), and load again.</source>
         <translation>Récupérez-le (git lfs pull), puis rechargez.</translation>
-    </message>
-    <message>
-        <source>Give screw, nut, thread, insert, pin, snap, flexible, permanent or unit.</source>
-        <translation>Donnez screw, nut, thread, insert, pin, snap, flexible, permanent ou unit.</translation>
     </message>
     <message>
         <source>the access of the hand was not checked to its end</source>

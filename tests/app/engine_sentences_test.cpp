@@ -228,7 +228,7 @@ constexpr const char* kOtherwiseTranslated[] = {"engine/check/",
                                                 "engine/study/benchmarks/",
                                                 "engine/sequence/work_times.cpp",
                                                 "engine/sequence/line_balance.cpp",
-                                                "engine/product/designation.cpp"};
+                                                "engine/product/designation."};
 
 constexpr const char* kShownOfTheJudge = "engine/check/condition.cpp";
 

@@ -7,6 +7,7 @@ namespace glissade {
 /// Sentences of engine/base, and sentences that join texts of several parts; see diagnostic_sentences.h.
 // NOLINTBEGIN(bugprone-suspicious-missing-comma): a long text is several literals.
 inline constexpr const char* kBaseSentences[] = {
+    QT_TRANSLATE_NOOP("Diagnostics", "is not one of: %1"),
     QT_TRANSLATE_NOOP("Diagnostics", "%1; %2"),
     QT_TRANSLATE_NOOP("Diagnostics", "%1: %2"),
     QT_TRANSLATE_NOOP("Diagnostics", "%1. %2"),

@@ -254,7 +254,6 @@ inline constexpr const char* kPlanningSentences[] = {
     QT_TRANSLATE_NOOP("Diagnostics", "As a fitter would"),
     QT_TRANSLATE_NOOP("Diagnostics", "As found"),
     QT_TRANSLATE_NOOP("Diagnostics", "'%1' needs the tool '%2', which is unknown"),
-    QT_TRANSLATE_NOOP("Diagnostics", "Choose hex_key, socket, screwdriver, open_wrench or none."),
     QT_TRANSLATE_NOOP("Diagnostics", "Choose a device again."),
     QT_TRANSLATE_NOOP("Diagnostics", "moving the object with the device"),
     QT_TRANSLATE_NOOP("Diagnostics", "stopping the planner"),

@@ -1,14 +1,10 @@
 #include "widgets/panels/joint_table.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace glissade {
 namespace {
-
-constexpr std::array<const char*, 8> kStateNames{"recognised",  "suggested", "confirmed", "made",
-                                                 "pressed-out", "dissolved", "opened",    "refused"};
 
 JointRowState stateOf(const Joint& joint) {
   switch (joint.state) {
@@ -42,8 +38,6 @@ JointKey keyAfter(const JointEdit& edit) {
 }
 
 }  // namespace
-
-const char* jointRowStateName(JointRowState state) { return kStateNames[static_cast<std::size_t>(state)]; }
 
 bool JointRow::counts() const {
   return state != JointRowState::Dissolved && state != JointRowState::Opened && state != JointRowState::Refused;

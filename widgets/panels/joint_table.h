@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/enum_names.h"
 #include "engine/product/joint_edits.h"
 #include "widgets/bridge/sequence_planner.h"
 
@@ -22,8 +23,8 @@ enum class JointRowState {
   Refused      ///< a person's statement about it is impossible in this product
 };
 
-/// Name of the state: "recognised", "suggested", "confirmed", "made", "pressed-out", "dissolved", "opened", "refused".
-const char* jointRowStateName(JointRowState state);
+inline constexpr EnumNames<JointRowState, 8> kJointRowStateNames{
+    {"recognised", "suggested", "confirmed", "made", "pressed-out", "dissolved", "opened", "refused"}};
 
 /// One joint as the panel shows it.
 struct JointRow {

@@ -204,7 +204,7 @@ void StudyBrowser::fillRuns(int cell) {
     if (static_cast<int>(run.cell) != cell) continue;
     const RunResult& result = outcome.result;
     addRow(runs_,
-           {QString::number(run.seed), shownText(StudyWords(windowLanguage())(name(result.status))),
+           {QString::number(run.seed), shownText(StudyWords(windowLanguage())(kRunStatusNames.of(result.status))),
             numberText(result, "virtual_s"), numberText(result, "nodes"), numberText(result, "edges"),
             numberText(result, "random_configurations")},
            2);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "engine/base/enum_names.h"
 #include "engine/base/file.h"
 #include "engine/base/json_reader.h"
 #include "engine/base/limits.h"
@@ -12,24 +13,15 @@ namespace {
 
 constexpr const char* kTemplateFormat = "glissade-instruction-template";
 constexpr int kTemplateVersion = 1;
-constexpr std::array<const char*, kAllPartsColumns.size()> kColumnNames{"picture", "part", "designation", "count",
-                                                                        "steps"};
-
-PartsColumn columnIn(const JsonCursor& at) {
-  const std::string word = at.text();
-  const auto found = std::find(kColumnNames.begin(), kColumnNames.end(), word);
-  if (found == kColumnNames.end()) {
-    at.fail("is no column of the parts list", "Take picture, part, designation, count or steps.");
-  }
-  return kAllPartsColumns[static_cast<std::size_t>(found - kColumnNames.begin())];
-}
+constexpr EnumNames<PartsColumn, kAllPartsColumns.size()> kColumnNames{
+    {"picture", "part", "designation", "count", "steps"}};
 
 std::vector<PartsColumn> columnsIn(const JsonCursor& at) {
   std::vector<PartsColumn> columns;
   const std::size_t count = at.sizeUpTo(kAllPartsColumns.size());
   if (count == 0) at.fail("names no column", "Name at least one column, or leave the member out.");
   for (std::size_t i = 0; i < count; ++i) {
-    const PartsColumn column = columnIn(at.element(i));
+    const PartsColumn column = at.element(i).named(kColumnNames);
     if (std::find(columns.begin(), columns.end(), column) != columns.end()) {
       at.element(i).fail("is given twice", "Name each column once.");
     }

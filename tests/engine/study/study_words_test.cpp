@@ -57,7 +57,8 @@ TEST(StudyWords, ThePapersStudiesAreWhollyTranslated) {
     for (const std::string& sentence : sentencesOf(*study)) EXPECT_TRUE(french.knows(sentence)) << sentence;
   }
   EXPECT_GE(studies, 7U);
-  for (std::size_t i = 0; i < kRunStatusCount; ++i) EXPECT_TRUE(french.knows(name(static_cast<RunStatus>(i))));
+  for (std::size_t i = 0; i < kRunStatusCount; ++i)
+    EXPECT_TRUE(french.knows(kRunStatusNames.of(static_cast<RunStatus>(i))));
   for (const Verdict verdict : {Verdict::Holds, Verdict::Refuted, Verdict::Open}) {
     EXPECT_TRUE(french.knows(name(verdict)));
   }
