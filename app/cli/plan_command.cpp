@@ -80,7 +80,7 @@ Result<std::unique_ptr<LockstepSession>> setUpReplay(const PlanOptions& options,
   if (!problem) return problem.error();
   const bool another = !options.parameters.empty() || options.seed || options.strategy;
   return std::unique_ptr<LockstepSession>(makeReplaySession(*problem, std::make_shared<const RunLog>(std::move(*log)),
-                                                            another ? ReplayEnd::GoOn : ReplayEnd::WithTheLog,
+                                                            another ? ReplayEnd::Continue : ReplayEnd::WithTheLog,
                                                             std::move(planners)));
 }
 

@@ -92,6 +92,6 @@ auto readJson(const std::string& text, const std::string& file, const Read& read
   }
 }
 /// The error for a file whose reading was stopped.
-Diagnostic notReadToItsEnd(const std::string& file);
+Diagnostic readingStopped(const std::string& file);
 
 }  // namespace glissade

@@ -27,7 +27,7 @@ Condition comesApart(const std::string& body, const std::string& other) {
 
 Condition areOneUnit(const std::string& bodies) { return {bodies + " are one unit"}; }
 
-Condition areTheBase(const std::string& bodies) { return {bodies + " stay as the base"}; }
+Condition areFixedAsBase(const std::string& bodies) { return {bodies + " stay as the base"}; }
 
 Condition leavesBefore(const std::string& body, const std::string& other) {
   return {"'" + body + "' may leave before '" + other + "', although the reverse is demanded"};

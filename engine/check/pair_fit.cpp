@@ -121,7 +121,7 @@ void takeThread(const std::vector<StatedAllowance>& stated, PairWork& work) {
   }
   Thread thread = *found;
   thread.assembled = assembled;
-  work.heedWord(thread, pitch);
+  work.applyStatements(thread, pitch);
   if (const std::string wrong = wrongPitch(thread); !wrong.empty()) {
     work.fit.refusals.push_back(pairInWords(work.question.moving.name, work.question.other.name) + ": " + wrong);
   }

@@ -78,7 +78,7 @@ AppliedAllowance& PairWork::add(bool yields, double applied) {
   return fit.applied.back();
 }
 
-void PairWork::heedWord(Thread& thread, const std::optional<double>& stated) {
+void PairWork::applyStatements(Thread& thread, const std::optional<double>& stated) {
   const std::optional<double> said = word != nullptr ? word->pitch : std::nullopt;
   if (said && stated && std::abs(*said - *stated) > 1e-9) {
     fit.refusals.push_back(pairInWords(question.moving.name, question.other.name) +

@@ -126,7 +126,7 @@ std::vector<Condition> baseOf(const Plan& plan, const Product& product, PlacedBo
     for (const std::size_t body : bodiesNamed(product, name)) said.insert(product.bodies[body].id);
   }
   if (std::includes(said.begin(), said.end(), staying.begin(), staying.end())) return {};
-  return {areTheBase(namesInWords(staying, product))};
+  return {areFixedAsBase(namesInWords(staying, product))};
 }
 
 }  // namespace glissade::check

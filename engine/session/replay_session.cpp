@@ -124,7 +124,7 @@ class Replay final : public ReplaySession {
   }
 
   bool atEnd() const {
-    if (end_ == ReplayEnd::GoOn) return false;
+    if (end_ == ReplayEnd::Continue) return false;
     if (!log_->end) return true;
     // Records of version 1 have no step.
     return log_->end->step > 0 ? core_.steps() >= log_->end->step : core_.planner()->nodes().size() >= log_->end->nodes;

@@ -126,20 +126,20 @@ bool isSameJoint(JointKey one, JointKey other) {
   return one == other;
 }
 
-std::vector<JointEdit> withoutWord(std::vector<JointEdit> said, const JointKey& key) {
+std::vector<JointEdit> withoutEdit(std::vector<JointEdit> said, const JointKey& key) {
   std::erase_if(said, [&](const JointEdit& edit) { return isSameJoint(edit.key, key); });
   return said;
 }
 
-std::vector<JointEdit> withWord(std::vector<JointEdit> said, const JointEdit& word) {
-  said = withoutWord(std::move(said), word.key);
+std::vector<JointEdit> withEdit(std::vector<JointEdit> said, const JointEdit& word) {
+  said = withoutEdit(std::move(said), word.key);
   said.push_back(word);
   return said;
 }
 
 std::vector<JointEdit> withoutJoint(std::vector<JointEdit> said, const JointRow& row) {
-  if (!row.isFound) return withoutWord(std::move(said), row.key);
-  return withWord(std::move(said), {row.key, JointEdit::Word::Dissolved});
+  if (!row.isFound) return withoutEdit(std::move(said), row.key);
+  return withEdit(std::move(said), {row.key, JointEdit::Word::Dissolved});
 }
 
 }  // namespace glissade

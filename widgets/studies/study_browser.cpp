@@ -236,7 +236,7 @@ void StudyBrowser::want() {
   const QTreeWidgetItem* item = runs_->currentItem();
   const int cell = cells_->indexOfTopLevelItem(cells_->currentItem());
   if (item == nullptr || cell < 0) return;
-  emit runWanted({static_cast<std::size_t>(cell), item->data(0, kSeedRole).toULongLong()});
+  emit runRequested({static_cast<std::size_t>(cell), item->data(0, kSeedRole).toULongLong()});
 }
 
 }  // namespace glissade
