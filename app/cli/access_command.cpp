@@ -28,7 +28,7 @@ Json toJson(const MotionAccess& motion, const std::vector<RigidBody>& bodies) {
   const auto name = [&bodies](const std::optional<std::size_t>& body) {
     return body ? Json(bodies[*body].id) : Json(nullptr);
   };
-  Json json{{"hand", kHandAccessNames.of(motion.hand.access)}, {"tool", toolName(motion.tool)}};
+  Json json{{"hand", kHandAccessNames.of(motion.hand.access)}, {"tool", kToolNames.of(motion.tool)}};
   if (motion.hand.access == HandAccess::Free || motion.hand.access == HandAccess::Blocked) {
     json["hand_pose"] = poseJson(motion.hand.hold.X_WH);
     json["blocked_at_share"] = motion.hand.access == HandAccess::Free ? Json(nullptr) : Json(motion.hand.share);
@@ -70,7 +70,7 @@ Message sightInWords(const SightAnswer& sight, const std::vector<RigidBody>& bod
 Message accessInWords(const MotionAccess& motion, const std::vector<RigidBody>& bodies) {
   Message hand = handInWords(motion.hand, bodies);
   if (motion.tool != ToolKind::None) {
-    hand = {GLISSADE_TEXT("%1 with the tool (%2)"), {hand, CatalogueText{toolName(motion.tool)}}};
+    hand = {GLISSADE_TEXT("%1 with the tool (%2)"), {hand, CatalogueText{kToolNames.of(motion.tool)}}};
   }
   return glissade::joined({hand, sightInWords(motion.sight, bodies)}, "; ");
 }

@@ -147,7 +147,7 @@ struct SequenceOptions {
   std::vector<std::string> places;     ///< demands: "3,name" or "3,name,name"
   std::vector<std::string> forbidden;  ///< demands: "name,-z" or "name,0,0,-1"
   std::vector<double> gravity;         ///< direction of gravity; empty: the scenario's, or down
-  std::string joints;                  ///< a name as jointUseName() gives it; empty: the scenario's
+  std::string joints;                  ///< a name of kJointUseNames; empty: the scenario's
   std::string cost;                    ///< cost of best-first: a preset or an expression; empty: the scenario's
   std::vector<std::string> without{};  ///< bodies and assemblies that are left out
   std::vector<std::string> open{};     ///< parts of several solids that are taken as their solids

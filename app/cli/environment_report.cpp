@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "app/cli/text_cells.h"
+#include "engine/base/enum_names.h"
 #include "engine/environment/edit_binding.h"
 
 namespace glissade::cli {
@@ -11,15 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* name(Provenance provenance) {
-  switch (provenance) {
-    case Provenance::Initial: return "default";
-    case Provenance::Computed: return "computed";
-    case Provenance::Inherited: return "inherited";
-    case Provenance::Edited: return "edited";
-  }
-  return "";
-}
+constexpr EnumNames<Provenance, 4> kProvenanceNames{{"default", "computed", "inherited", "edited"}};
 
 Json toJson(const Vector3& v) { return Json::array({v.x(), v.y(), v.z()}); }
 
@@ -30,7 +23,7 @@ Json attributesOf(const SemanticModel& semantics, std::size_t place) {
     const ProvenValue value = semantics.ofPlace(place, definition.name);
     Json entry;
     std::visit([&](const auto& typed) { entry["value"] = typed; }, value.value);
-    entry["source"] = name(value.provenance);
+    entry["source"] = kProvenanceNames.of(value.provenance);
     attributes[definition.name] = entry;
   }
   return attributes;

@@ -42,13 +42,13 @@ Json toJson(const PairFit& row) {
   const Contact& contact = row.contact;
   Json json{{"a", row.a},
             {"b", row.b},
-            {"kind", kindName(contact.kind)},
+            {"kind", kContactKindNames.of(contact.kind)},
             {"gap_m", contact.gap},
             {"overlap_m", contact.overlap},
             {"uncertainty_m", contact.uncertainty},
             {"thinner", row.thinner()},
             {"allowance_m", row.way().allowance()},
-            {"status", statusName(row.status())},
+            {"status", kFitStatusNames.of(row.status())},
             {"ways", {toJson(row.ways[0], row.a, row.b), toJson(row.ways[1], row.b, row.a)}}};
   if (contact.isPlainOverlap) json["plain_overlap"] = true;
   if (contact.axis) {
@@ -131,10 +131,10 @@ void printCsv(const std::vector<PairFit>& rows, const Product& tree) {
     const Contact& contact = row.contact;
     std::vector<std::string> thinner;
     for (const std::string& id : row.thinner()) thinner.push_back(nameOf(id));
-    std::cout << quoted(nameOf(row.a)) << "," << quoted(nameOf(row.b)) << "," << kindName(contact.kind) << ","
-              << toText(contact.gap) << "," << toText(contact.overlap) << "," << toText(contact.uncertainty) << ","
-              << toText(row.way().allowance()) << "," << statusName(row.status()) << "," << quoted(joined(thinner))
-              << "," << quoted(toString(row.way().refused)) << "\n";
+    std::cout << quoted(nameOf(row.a)) << "," << quoted(nameOf(row.b)) << "," << kContactKindNames.of(contact.kind)
+              << "," << toText(contact.gap) << "," << toText(contact.overlap) << "," << toText(contact.uncertainty)
+              << "," << toText(row.way().allowance()) << "," << kFitStatusNames.of(row.status()) << ","
+              << quoted(joined(thinner)) << "," << quoted(toString(row.way().refused)) << "\n";
   }
 }
 
@@ -206,7 +206,7 @@ void printTable(const std::vector<PairFit>& rows, const Volumes& volumes, std::s
   std::size_t kindWidth = 12;
   for (const PairFit& row : rows) {
     nameWidth = std::max(nameWidth, widthOf(row.shown[0]));
-    kindWidth = std::max(kindWidth, widthOf(console.text(CatalogueText{kindName(row.contact.kind)})) + 1);
+    kindWidth = std::max(kindWidth, widthOf(console.text(CatalogueText{kContactKindNames.of(row.contact.kind)})) + 1);
   }
   const auto print = [&](const std::string& kind, const std::string& depth, const std::string& thinner,
                          const std::string& a, const std::string& b) {
@@ -215,7 +215,7 @@ void printTable(const std::vector<PairFit>& rows, const Volumes& volumes, std::s
   };
   print(console.text(GLISSADE_TEXT("kind")), depthTitle, thinnerTitle, "a", "b");
   for (const PairFit& row : rows) {
-    print(console.text(CatalogueText{kindName(row.contact.kind)}), depthCell(row.contact, console),
+    print(console.text(CatalogueText{kContactKindNames.of(row.contact.kind)}), depthCell(row.contact, console),
           console.text(thinnerInWords(row)), row.shown[0], row.shown[1]);
   }
   printCounts(rows, bodies, console);

@@ -89,7 +89,7 @@ Json toJson(const Asset& asset) {
           {"path", asset.path},
           {"sha256", asset.sha256},
           {"unit_m", asset.unit},
-          {"up_axis", asset.up == UpAxis::Y ? "y" : "z"}};
+          {"up_axis", kUpAxisNames.of(asset.up)}};
 }
 
 /// The width of the column of names.

@@ -39,13 +39,13 @@ Message threadInWords(const JointThread& thread) {
 
 std::string driveInWords(const Joint& joint) {
   if (joint.drive == DriveKind::None) return {};
-  return std::string(driveName(joint.drive)) +
+  return std::string(kDriveNames.of(joint.drive)) +
          (joint.driveSize > 0.0 ? " " + rounded(1e3 * joint.driveSize, 3) + " mm" : "");
 }
 
 Cells cellsOf(const Joint& joint, const AssembledProduct& product, const Console& console) {
-  return {console.text(CatalogueText{jointName(joint.kind)}),
-          console.text(CatalogueText{jointStateName(joint.state)}) + (joint.isDoubtful ? " (?)" : ""),
+  return {console.text(CatalogueText{kJointKindNames.of(joint.kind)}),
+          console.text(CatalogueText{kJointStateNames.of(joint.state)}) + (joint.isDoubtful ? " (?)" : ""),
           product.bodies[joint.body].shown(),
           shownOf(joint.others, product),
           shownOf(joint.clamped, product),
@@ -69,7 +69,7 @@ Cells titles(const Console& console) {
 
 std::map<std::string, int> countsOf(const Joints& joints) {
   std::map<std::string, int> counts;
-  for (const Joint& joint : joints) ++counts[jointName(joint.kind)];
+  for (const Joint& joint : joints) ++counts[kJointKindNames.of(joint.kind)];
   return counts;
 }
 

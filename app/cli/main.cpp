@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include "app/cli/parsed_command.h"
 #include "app/cli/printable_output.h"
 #include "app/version_text.h"
+#include "engine/base/enum_names.h"
 #include "engine/base/guarded.h"
 #include "engine/base/limits.h"
 #include "engine/scenario/path_exporter.h"
@@ -35,6 +37,16 @@ std::string plannerNames() {
   const PlannerRegistry registry = makePlannerRegistry();
   for (const PlannerEntry& entry : registry.entries()) names += (names.empty() ? "" : ", ") + entry.id;
   return names;
+}
+
+/// Adds an option whose values are the names of an enumeration.
+template <class Value, class Enum, std::size_t count>
+void addChoice(const ParsedCommand& command, const std::string& option, Value& value,
+               const EnumNames<Enum, count>& names, const Message& help) {
+  command
+      .optionFor<std::string>(
+          option, [&value, &names](const std::string& name) { value = *names.find(name); }, help)
+      ->check(CLI::IsMember(std::set<std::string>(names.names.begin(), names.names.end())));
 }
 
 /// Adds one option for each row of the parameter table. Ranges are checked when the object's size is known.
@@ -84,18 +96,8 @@ ParsedCommand addPlan(const ParsedCommand& app, PlanOptions& options) {
   plan.option("SCENARIO", options.scenario, GLISSADE_TEXT("Scenario file or OMPL.app .cfg"))->required();
   plan.option("--strategy", options.strategy,
               {GLISSADE_TEXT("Planner: %1 (default: the scenario's)"), {plannerNames()}});
-  const std::map<std::string, CollisionBackend> backends{{"kernel", CollisionBackend::Kernel},
-                                                         {"fcl", CollisionBackend::Fcl}};
-  plan.optionFor<std::string>(
-      "--collision",
-      [&options, backends, plan](const std::string& name) {
-        const auto backend = backends.find(name);
-        if (backend == backends.end()) {
-          throw CLI::ValidationError("--collision", plan.text({GLISSADE_TEXT("'%1' is not kernel or fcl"), {name}}));
-        }
-        options.collision = backend->second;
-      },
-      GLISSADE_TEXT("Collision checker: kernel or fcl (default: kernel)"));
+  addChoice(plan, "--collision", options.collision, kCollisionBackendNames,
+            GLISSADE_TEXT("Collision checker: kernel or fcl (default: kernel)"));
   addFitOptions(plan, options.fits, GLISSADE_TEXT("the scenario's"));
   plan.option("--operator", options.operatorName,
               GLISSADE_TEXT(
@@ -347,14 +349,9 @@ ParsedCommand addAccess(const ParsedCommand& app, AccessOptions& options) {
       ->required();
   access.option("--path", options.path, {GLISSADE_TEXT("Path of the object: %1"), {readablePathFormats()}});
   access.option("--plan", options.plan, GLISSADE_TEXT("Assembly plan, as 'sequence --out' writes it"));
-  std::map<std::string, HandSize> sizes;
-  for (const HandSize size : kHandSizes) sizes[kHandSizeNames.of(size)] = size;
-  access
-      .optionFor<std::string>(
-          "--hand", [&options, sizes](const std::string& size) { options.hand = sizes.at(size); },
-          GLISSADE_TEXT(
-              "Whose hand: p5f 5th percentile of women, p50 average, p95m 95th percentile of men (default: p50)"))
-      ->check(CLI::IsMember(sizes));
+  addChoice(access, "--hand", options.hand, kHandSizeNames,
+            GLISSADE_TEXT(
+                "Whose hand: p5f 5th percentile of women, p50 average, p95m 95th percentile of men (default: p50)"));
   access
       .option("--eye", options.eye,
               GLISSADE_TEXT(
@@ -401,11 +398,8 @@ ParsedCommand addNew(const ParsedCommand& app, NewOptions& options) {
       GLISSADE_TEXT("A unit of the files, as 1mm, 1m, 1in or 25.4mm (default: 1m for Collada and glTF; for other "
                     "meshes 1mm, or 1m "
                     "where only that fits their size, which a warning says); STEP and URDF files say it themselves"));
-  const std::map<std::string, UpAxis> axes{{"y", UpAxis::Y}, {"z", UpAxis::Z}};
-  make.optionFor<std::string>(
-          "--up", [&options, axes](const std::string& axis) { options.up = axes.at(axis); },
-          GLISSADE_TEXT("The files' axis that points up (default: y for Collada and glTF, z for other meshes)"))
-      ->check(CLI::IsMember(axes));
+  addChoice(make, "--up", options.up, kUpAxisNames,
+            GLISSADE_TEXT("The files' axis that points up (default: y for Collada and glTF, z for other meshes)"));
   make.length(
       "--deflection",
       [&options, make](double deflection) {

@@ -16,6 +16,8 @@
 #include "engine/scenario/scenario_io.h"
 #include "engine/session/replay_session.h"
 #include "engine/session/session.h"
+#include "engine/session/session_with_planners.h"
+#include "engine/study/benchmarks/peer_planners.h"
 
 namespace glissade::cli {
 namespace {
@@ -51,8 +53,8 @@ std::string lowerCase(std::string text) {
   return text;
 }
 
-Outcome checkPlanner(const std::string& id) {
-  if (makePlannerRegistry().find(id) != nullptr) return Done{};
+Outcome checkPlanner(const PlannerRegistry& planners, const std::string& id) {
+  if (planners.find(id) != nullptr) return Done{};
   return Diagnostic{ErrorKind::Usage,
                     "",
                     "--strategy",
@@ -62,10 +64,11 @@ Outcome checkPlanner(const std::string& id) {
 
 /// Sets up the recorded run, with the changes that the options make.
 Result<std::unique_ptr<LockstepSession>> setUpReplay(const PlanOptions& options, const LoadedScenario& scenario,
-                                                     const std::string& file, const StopToken& stop) {
+                                                     const std::string& file, PlannerRegistry planners,
+                                                     const StopToken& stop) {
   const auto record = readRunRecord(file);
   if (!record) return record.error();
-  auto log = replayLog(*record, scenario, file);
+  auto log = replayLog(*record, scenario, file, planners);
   if (!log) return log.error();
   ParameterValues trial = log->start.parameters;
   const Outcome parameters = setAll(options.parameters, trial);
@@ -73,13 +76,14 @@ Result<std::unique_ptr<LockstepSession>> setUpReplay(const PlanOptions& options,
   for (const auto& [id, value] : options.parameters) overrideParameter(id, value, *log);
   if (options.seed) log->start.seed = *options.seed;
   if (options.strategy) log->start.planner = *options.strategy;
-  const Outcome planner = checkPlanner(log->start.planner);
+  const Outcome planner = checkPlanner(planners, log->start.planner);
   if (!planner) return planner.error();
   const auto problem = withRecordedKnowledge(scenario.problem, *log, stop);
   if (!problem) return problem.error();
   const bool another = !options.parameters.empty() || options.seed || options.strategy;
   return std::unique_ptr<LockstepSession>(makeReplaySession(*problem, std::make_shared<const RunLog>(std::move(*log)),
-                                                            another ? ReplayEnd::GoOn : ReplayEnd::WithTheLog));
+                                                            another ? ReplayEnd::Continue : ReplayEnd::WithTheLog,
+                                                            std::move(planners)));
 }
 
 DeviceRegistry simulatedOperators() {
@@ -107,7 +111,10 @@ Result<std::unique_ptr<LockstepSession>> setUpRun(const PlanOptions& options, co
                                                   const StopToken& stop) {
   const std::string& name = options.operatorName;
   const std::string replay = kReplay;
-  if (name.rfind(replay, 0) == 0) return setUpReplay(options, scenario, name.substr(replay.size()), stop);
+  PlannerRegistry planners = makePlannerRegistryWithPeers();
+  if (name.rfind(replay, 0) == 0) {
+    return setUpReplay(options, scenario, name.substr(replay.size()), std::move(planners), stop);
+  }
 
   SessionConfig config{scenario.problem, scenario.parameters, scenario.scenario.planner, scenario.scenario.seed,
                        nullptr};
@@ -115,9 +122,9 @@ Result<std::unique_ptr<LockstepSession>> setUpRun(const PlanOptions& options, co
   if (!parameters) return parameters.error();
   if (options.seed) config.seed = *options.seed;
   if (options.strategy) config.plannerId = lowerCase(*options.strategy);
-  const Outcome planner = checkPlanner(config.plannerId);
+  const Outcome planner = checkPlanner(planners, config.plannerId);
   if (!planner) return planner.error();
-  if (name == "none") return makeLockstepSession(std::move(config));
+  if (name == "none") return makeLockstepSession(std::move(config), std::move(planners));
 
   const DeviceRegistry registry = simulatedOperators();
   const DeviceEntry* entry = registry.find(name);
@@ -126,7 +133,7 @@ Result<std::unique_ptr<LockstepSession>> setUpRun(const PlanOptions& options, co
   if (!route) return route.error();
   config.device =
       entry->make({std::move(*route), scenario.problem.metric(), config.seed, nullptr, scenario.problem.world});
-  return makeLockstepSession(std::move(config));
+  return makeLockstepSession(std::move(config), std::move(planners));
 }
 
 /// Planner steps between two checks for an interruption.

@@ -9,6 +9,8 @@
 #include "engine/scenario/scenario_io.h"
 #include "engine/session/replay_session.h"
 #include "engine/session/run_comparison.h"
+#include "engine/session/session_with_planners.h"
+#include "engine/study/benchmarks/peer_planners.h"
 
 namespace glissade::cli {
 namespace {
@@ -29,11 +31,13 @@ Result<Replayed> replay(const ReplayOptions& options, const Interrupt& interrupt
   if (!record) return record.error();
   const auto scenario = loadScenario(options.scenario.empty() ? record->scenario : options.scenario);
   if (!scenario) return scenario.error();
-  auto log = replayLog(*record, *scenario, options.record);
+  const PlannerRegistry planners = makePlannerRegistryWithPeers();
+  auto log = replayLog(*record, *scenario, options.record, planners);
   if (!log) return log.error();
   const auto problem = withRecordedKnowledge(scenario->problem, *log, interrupt.token());
   if (!problem) return problem.error();
-  const auto session = makeReplaySession(*problem, std::make_shared<const RunLog>(*log));
+  const auto session =
+      makeReplaySession(*problem, std::make_shared<const RunLog>(*log), ReplayEnd::WithTheLog, planners);
   session->post(command::Start{});
   session->advance(0);
   while (isRunning(*session->snapshot()) && !interrupt.requested()) session->advance(kReplaySlice, interrupt.token());

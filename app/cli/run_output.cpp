@@ -6,21 +6,87 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "app/cli/difficulty_report.h"
+#include "app/cli/report.h"
 #include "app/cli/text_cells.h"
+#include "engine/base/enum_names.h"
 #include "engine/base/file.h"
+#include "engine/base/json_reader.h"
+#include "engine/base/stop_token.h"
 #include "engine/collision/thread_rule.h"
+#include "engine/geometry/pose_json.h"
 #include "engine/planning/automatic/straight_ways_out.h"
+#include "engine/planning/difficulty/difficulty.h"
 #include "engine/planning/screw_motion.h"
-#include "engine/scenario/author_names.h"
 #include "engine/scenario/path_exporter.h"
 #include "engine/scenario/run_record.h"
+#include "engine/scenario/scenario.h"
 #include "engine/scenario/scenario_io.h"
+#include "engine/session/grown_roadmap.h"
+#include "engine/session/session.h"
 
 namespace glissade::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+std::string place(const Pose& q) {
+  const Vector3& p = q.position;
+  return "(" + rounded(p.x()) + ", " + rounded(p.y()) + ", " + rounded(p.z()) + ") m";
+}
+
+/// Why the run found no path, from the roadmap that it grew.
+Difficulty difficultyOf(const LoadedScenario& scenario, const SessionSnapshot& end, const StopToken& stop) {
+  const GrownRoadmap grown = grownRoadmap(end);
+  return glissade::difficultyOf(scenario.problem, grown.nodes, grown.edges, end.parameters, end.seed, {}, stop);
+}
+
+Json toJson(const Difficulty& difficulty, const CollisionWorld& world) {
+  Json json{{"frontier", nullptr}, {"tightest", nullptr}, {"least_penetration", nullptr}};
+  if (const auto& frontier = difficulty.frontier) {
+    json["frontier"] = {{"distance_m", frontier->distance},
+                        {"from_start", glissade::toJson(frontier->fromStart)},
+                        {"from_goal", glissade::toJson(frontier->fromGoal)},
+                        {"blocked_by", toString(bodyName(world, frontier->body))}};
+    if (frontier->body >= 0) json["frontier"]["blocked_at"] = glissade::toJson(frontier->blockedAt);
+  }
+  if (const auto& tightest = difficulty.tightest) {
+    json["tightest"] = {{"clearance_m", tightest->clearance},
+                        {"body", toString(bodyName(world, tightest->body))},
+                        {"configuration", glissade::toJson(tightest->q)}};
+  }
+  if (const auto& least = difficulty.leastPenetration) {
+    Json way = Json::array();
+    for (const Pose& q : least->way) way.push_back(glissade::toJson(q));
+    json["least_penetration"] = {{"depth_mm", 1e3 * least->depth},
+                                 {"body", toString(bodyName(world, least->body))},
+                                 {"configuration", glissade::toJson(least->q)},
+                                 {"way", way}};
+  }
+  return json;
+}
+
+void printDifficulty(const Difficulty& difficulty, const CollisionWorld& world, const Console& console) {
+  if (const auto& frontier = difficulty.frontier) {
+    Message text{GLISSADE_TEXT("the trees came within %1 m of each other, from %2 to %3"),
+                 {rounded(frontier->distance), place(frontier->fromStart), place(frontier->fromGoal)}};
+    if (frontier->body >= 0) {
+      text = {GLISSADE_TEXT("%1; between the object and the goal's tree stands '%2', at %3"),
+              {text, bodyName(world, frontier->body), place(frontier->blockedAt)}};
+    }
+    console.print(text);
+  }
+  if (const auto& tightest = difficulty.tightest) {
+    console.print({GLISSADE_TEXT("tightest passage reached: %1 mm to '%2', at %3"),
+                   {rounded(1e3 * tightest->clearance), bodyName(world, tightest->body), place(tightest->q)}});
+  }
+  if (const auto& least = difficulty.leastPenetration) {
+    console.print({GLISSADE_TEXT("with %1 mm given between the object and '%2', at %3, there is a way of %4 "
+                                 "configurations"),
+                   {rounded(1e3 * least->depth), bodyName(world, least->body), place(least->q), least->way.size()}});
+  } else {
+    console.print(GLISSADE_TEXT("no erosion of the object that was tried opens a way"));
+  }
+}
 
 CatalogueText status(const SessionSnapshot& end) {
   if (end.state == SessionState::Solved) return GLISSADE_TEXT("solved");
@@ -36,15 +102,8 @@ CatalogueText status(const SessionSnapshot& end) {
   }
 }
 
-CatalogueText name(StepResult result) {
-  switch (result) {
-    case StepResult::Pending: return GLISSADE_TEXT("pending");
-    case StepResult::Running: return GLISSADE_TEXT("running");
-    case StepResult::Solved: return GLISSADE_TEXT("solved");
-    case StepResult::Failed: break;
-  }
-  return GLISSADE_TEXT("failed");
-}
+constexpr EnumNames<StepResult, 4> kStepResultNames{{GLISSADE_TEXT("pending").english, GLISSADE_TEXT("running").english,
+                                                     GLISSADE_TEXT("solved").english, GLISSADE_TEXT("failed").english}};
 
 Json toJson(const CoarsePlan& plan) {
   Json steps = Json::array();
@@ -55,7 +114,7 @@ Json toJson(const CoarsePlan& plan) {
                      {"geometrical", step.geometrical},
                      {"why", toString(step.why)},
                      {"random_configurations", step.randomConfigurations},
-                     {"result", name(step.result).english}});
+                     {"result", kStepResultNames.of(step.result)}});
   }
   return {{"attempt", plan.attempt},
           {"cost", plan.cost},
@@ -164,7 +223,8 @@ void printCoarsePlan(const CoarsePlan& plan, const Console& console) {
   console.print({GLISSADE_TEXT("coarse path %1:"), {plan.attempt}});
   for (const TopologicalStep& step : plan.steps) {
     console.print({GLISSADE_TEXT("  %1 to %2: %3, %4 random configurations (%5)"),
-                   {step.placeName, step.borderName, name(step.result), step.randomConfigurations, step.why}});
+                   {step.placeName, step.borderName, CatalogueText{kStepResultNames.of(step.result)},
+                    step.randomConfigurations, step.why}});
   }
 }
 

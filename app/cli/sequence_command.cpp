@@ -211,13 +211,13 @@ Result<SequenceDemands> demandsOf(const SequenceOptions& options, SequenceDemand
   }
   if (!options.cost.empty()) demands.cost = options.cost;
   if (!options.joints.empty()) {
-    const auto use = jointUseByName(options.joints);
+    const auto use = kJointUseNames.find(options.joints);
     if (!use) {
       return Diagnostic{ErrorKind::Usage,
                         "",
                         "--joints",
                         {GLISSADE_TEXT("is unknown: %1"), {options.joints}},
-                        GLISSADE_TEXT("Choose recognised, suggested or off.")};
+                        {GLISSADE_TEXT("Choose one of: %1."), {kJointUseNames.listed()}}};
     }
     demands.jointUse = *use;
   }
@@ -318,7 +318,7 @@ void PlanPrinter::printSteps(const std::vector<AssemblyStep>& steps, const std::
     const AssemblyStep& step = steps[i];
     std::string names = toRight(stepNumber(steps.size() - 1 - i, group), 4) + "  " + host_.namesOf(step);
     if (step.fastener != FastenerKind::None) {
-      names += " (" + console_.text(CatalogueText{fastenerName(step.fastener)}) + ")";
+      names += " (" + console_.text(CatalogueText{kFastenerNames.of(step.fastener)}) + ")";
     }
     printIndented(before, {GLISSADE_TEXT("%1: %2"), {names, motionOf(step)}});
     printNotes(step, before + "      ");

@@ -212,7 +212,7 @@ void AlignTool::preview(const std::optional<Pointed>& onto) {
   SceneView& view = bench_.scene.view();
   const Pose motion = onto ? alignment(first_->feature, onto->feature, false) : Pose::identity();
   drawItemAt(first_->item, motion * *X_WB, scenario, view);
-  if (!onto) view.putBackObstacles();
+  if (!onto) view.restoreObstacles();
 }
 
 QString AlignTool::hintFor(const std::optional<Pointed>& hovered) const {

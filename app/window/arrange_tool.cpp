@@ -90,7 +90,7 @@ void ArrangeTool::followDocument(Changes what) {
 
 void ArrangeTool::setOn(bool on) {
   if (on == on_) return;
-  letGo();
+  restoreHeldItem();
   on_ = on;
   gizmo_->setVisible(on);
   showGizmo();
@@ -241,12 +241,12 @@ void ArrangeTool::drop() {
   showGizmo();
 }
 
-void ArrangeTool::letGo() {
+void ArrangeTool::restoreHeldItem() {
   if (!inHand_) return;
   draw(inHand_->before);
   inHand_.reset();
   showSnap({});
-  scene_.view().putBackObstacles();
+  scene_.view().restoreObstacles();
   if (on_) scene_.widget()->setCursor(Qt::OpenHandCursor);
   showGizmo();
 }
@@ -254,7 +254,7 @@ void ArrangeTool::letGo() {
 bool ArrangeTool::pressKey(const QKeyEvent& event) {
   if (event.key() == Qt::Key_Escape) {
     if (holds()) {
-      letGo();
+      restoreHeldItem();
     } else {
       emit left();
     }

@@ -63,7 +63,7 @@ class ArrangeTool final : public DragTool {
   GizmoAmount snappedAmount(const GizmoDrag& drag, bool suspended);
   void showSnap(const FeatureSnap& snap);
   /// Puts back the held item.
-  void letGo();
+  void restoreHeldItem();
   bool pressKey(const QKeyEvent& event);
   void nudge(int viewAxis, double sign, bool turning);
   void hover(const QPointF& position);

@@ -1,7 +1,6 @@
 #include "app/window/device_script.h"
 
 #include "app/window/device_controller.h"
-#include "engine/base/enum_names.h"
 #include "engine/base/number_text.h"
 #include "engine/operator/hand_inputs.h"
 
@@ -62,8 +61,7 @@ Outcome expectSteering(const HandInputs& hand, const std::string& target) {
 }
 
 Outcome expectFrame(const HandInputs& hand, const std::string& frame) {
-  constexpr EnumNames<MotionFrame, 3> kNames{{"view", "world", "object"}};
-  const std::string now = kNames.of(hand.keyboard.shaping.get().frame);
+  const std::string now = kMotionFrameNames.of(hand.keyboard.shaping.get().frame);
   if (frame == now) return Done{};
   return unmetExpectation("the keys move along the axes of " + now);
 }

@@ -156,7 +156,7 @@ void FileController::chooseScenario() {
   const QString file = bench_.dialogs.open(FilePurpose::Scenario, tr("Open a scenario or a product"),
                                            tr("Scenarios and parts (%1 %2);;Scenarios (%1);;Parts (%2);;All files (*)")
                                                .arg(QStringLiteral("*.json *.cfg"), partFilePatterns()));
-  if (!file.isEmpty()) openAny({file}, PartsDialog::Purpose::NewScenario);
+  if (!file.isEmpty()) openFiles({file}, PartsDialog::Purpose::NewScenario);
 }
 
 void FileController::save() {
@@ -271,11 +271,11 @@ void FileController::drop(const QMimeData& data) {
   const bool more = bench_.document.scenario() != nullptr;
   // The dialog opens later, because it would block the program that the files were dragged from.
   QTimer::singleShot(0, this, [this, files, more] {
-    openAny(files, more ? PartsDialog::Purpose::AddParts : PartsDialog::Purpose::NewScenario);
+    openFiles(files, more ? PartsDialog::Purpose::AddParts : PartsDialog::Purpose::NewScenario);
   });
 }
 
-void FileController::openAny(const QStringList& files, PartsDialog::Purpose ofParts) {
+void FileController::openFiles(const QStringList& files, PartsDialog::Purpose ofParts) {
   QStringList partFiles;
   for (const QString& file : files) {
     if (isPartFile(file.toStdString())) partFiles << file;

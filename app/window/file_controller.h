@@ -37,7 +37,7 @@ class FileController final : public QObject {
   void drop(const QMimeData& data);
   /// Opens files of any kind: part files in the dialog of parts, a path file in the path panel, or a scenario.
   /// Precondition: `files` is not empty.
-  void openAny(const QStringList& files, PartsDialog::Purpose ofParts);
+  void openFiles(const QStringList& files, PartsDialog::Purpose ofParts);
   /// The folder of the open scenario, or of its parts if the scenario was never saved; empty without a scenario.
   QString folder() const;
   /// Saves the document into the file, which becomes the document's file. Returns nothing on success.

@@ -173,7 +173,7 @@ void HeadController::showDialog() {
     dialog_ = new HeadDialog(
         preferences_, [this] { return state(); }, &bench_.window);
     connect(dialog_, &HeadDialog::changed, this, &HeadController::change);
-    connect(dialog_, &HeadDialog::restAsked, this, [this] {
+    connect(dialog_, &HeadDialog::restRequested, this, [this] {
       tracking_.restHere();
       HeadPreferences preferences = preferences_;
       preferences.shaping = tracking_.shaping();

@@ -68,7 +68,7 @@ void InstructionJob::start(PlanDocument document, const QString& file, Finished 
   content->plan = shown.plan;
   content->product = shown.product;
   content->check = shown.check;
-  content->said = sequence_.saidOf(*shown.product);
+  content->said = sequence_.statedDemands(*shown.product);
   if (shown.access) content->access = textsOf(*shown.access, shown.product->bodies);
   content->title = nameOfProduct(*bench_.document.scenario());
   content->deviation = surfaceDeviation(*bench_.document.scenario());

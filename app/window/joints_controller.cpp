@@ -15,10 +15,9 @@ namespace {
 using Words = ScriptCommands::Words;
 
 Result<JointKind> kindIn(const std::string& word) {
-  const auto kind = jointByName(word);
+  const auto kind = kJointKindNames.find(word);
   if (kind) return *kind;
-  return wrongCommand("'" + word + "' is no kind of joint",
-                      "Say screw, nut, thread, insert, pin, snap, flexible, permanent or unit.");
+  return wrongCommand("'" + word + "' is no kind of joint", "Say one of: " + kJointKindNames.listed() + ".");
 }
 
 /// The number of joints of this kind in the panel that count.
@@ -33,7 +32,7 @@ std::size_t countOf(const JointsPanel& panel, JointKind kind) {
 std::string stateOf(const JointsPanel& panel, JointKind kind, const std::string& body) {
   if (!panel.table()) return "none";
   for (const JointRow& row : panel.table()->rows()) {
-    if (row.key.kind == kind && row.key.body == body) return jointRowStateName(row.state);
+    if (row.key.kind == kind && row.key.body == body) return kJointRowStateNames.of(row.state);
   }
   return "none";
 }
@@ -85,7 +84,7 @@ bool canBeOpened(const JointRow& row) { return row.key.kind == JointKind::Unit &
 
 bool counts(const JointRow& row) { return row.counts(); }
 
-bool isSaid(const JointRow& row) { return row.isSaid(); }
+bool isStated(const JointRow& row) { return row.isStated(); }
 
 /// The chosen rows as copies, because the table changes with the edit.
 std::vector<JointRow> chosenIn(const JointsPanel& panel, bool (*fits)(const JointRow&)) {
@@ -139,8 +138,9 @@ void JointsController::connectActions() {
   bench_.onAction("joints.confirm-all", this, [this] { confirmSuggested(); });
   bench_.onAction("joints.dissolve", this, [this] { dissolveChosen(); });
   bench_.onAction("joints.press-out", this,
-                  [this] { sayOfChosen(tr("press inserts out"), JointEdit::Word::PressedOut, canBePressedOut); });
-  bench_.onAction("joints.open", this, [this] { sayOfChosen(tr("open units"), JointEdit::Word::Opened, canBeOpened); });
+                  [this] { stateForChosen(tr("press inserts out"), JointEdit::Word::PressedOut, canBePressedOut); });
+  bench_.onAction("joints.open", this,
+                  [this] { stateForChosen(tr("open units"), JointEdit::Word::Opened, canBeOpened); });
   bench_.onAction("joints.as-found", this, [this] { takeChosenAsFound(); });
   bench_.onAction("joints.make", this, [this] { askForNew(); });
   bench_.onAction("joints.change", this, [this] { askForChosen(); });
@@ -153,7 +153,7 @@ void JointsController::followDocument(Changes what) {
     found_.reset();
     panel_->setTable(nullptr);
   } else if (found_ && (what & (Change::Arrangement | Change::Semantics))) {
-    if (isOfFound(what)) {
+    if (isOfFoundJoints(what)) {
       if (what & Change::Arrangement) showFound();
     } else {
       found_.reset();
@@ -164,7 +164,7 @@ void JointsController::followDocument(Changes what) {
   enableActions();
 }
 
-bool JointsController::isOfFound(Changes what) const {
+bool JointsController::isOfFoundJoints(Changes what) const {
   if (classesOf(*bench_.document.edits(), found_->product->bodies) != found_->classes) return false;
   return !(what & Change::Arrangement) || haveSameBodies(bodiesOf(*bench_.document.scenario()), found_->arranged);
 }
@@ -186,7 +186,7 @@ void JointsController::find() {
 /// Takes the found joints, unless bodies have moved during the search.
 void JointsController::take(const Found& found) {
   found_ = found;
-  if (isOfFound(Change::Arrangement)) {
+  if (isOfFoundJoints(Change::Arrangement)) {
     showFound();
     enableActions();
   } else {
@@ -221,9 +221,9 @@ void JointsController::isolateChosen() {
   if (bench_.actions["body.isolate"]->isEnabled()) bench_.actions["body.isolate"]->trigger();
 }
 
-void JointsController::sayOfChosen(const QString& text, JointEdit::Word word, bool (*fits)(const JointRow&)) {
-  applyOrTell(text, [rows = chosenIn(*panel_, fits), word](std::vector<JointEdit> said) {
-    for (const JointRow& row : rows) said = withWord(std::move(said), {row.key, word});
+void JointsController::stateForChosen(const QString& text, JointEdit::Word word, bool (*fits)(const JointRow&)) {
+  applyOrReport(text, [rows = chosenIn(*panel_, fits), word](std::vector<JointEdit> said) {
+    for (const JointRow& row : rows) said = withEdit(std::move(said), {row.key, word});
     return said;
   });
 }
@@ -232,22 +232,22 @@ void JointsController::confirm(const QString& text, const std::vector<JointRow>&
   if (!panel_->table()) return;
   std::vector<JointEdit> words;
   for (const JointRow& row : rows) words.push_back(confirmationOf(row.joint, panel_->table()->product()));
-  applyOrTell(text, [words](std::vector<JointEdit> said) {
-    for (const JointEdit& word : words) said = withWord(std::move(said), word);
+  applyOrReport(text, [words](std::vector<JointEdit> said) {
+    for (const JointEdit& word : words) said = withEdit(std::move(said), word);
     return said;
   });
 }
 
 void JointsController::dissolveChosen() {
-  applyOrTell(tr("dissolve joints"), [rows = chosenIn(*panel_, counts)](std::vector<JointEdit> said) {
+  applyOrReport(tr("dissolve joints"), [rows = chosenIn(*panel_, counts)](std::vector<JointEdit> said) {
     for (const JointRow& row : rows) said = withoutJoint(std::move(said), row);
     return said;
   });
 }
 
 void JointsController::takeChosenAsFound() {
-  applyOrTell(tr("take joints as found"), [rows = chosenIn(*panel_, isSaid)](std::vector<JointEdit> said) {
-    for (const JointRow& row : rows) said = withoutWord(std::move(said), row.key);
+  applyOrReport(tr("take joints as found"), [rows = chosenIn(*panel_, isStated)](std::vector<JointEdit> said) {
+    for (const JointRow& row : rows) said = withoutEdit(std::move(said), row.key);
     return said;
   });
 }
@@ -272,8 +272,8 @@ std::vector<std::size_t> JointsController::selectedBodies() const {
 }
 
 Outcome JointsController::make(const Joint& joint) {
-  const JointEdit word = wordThatMakes(joint, panel_->table()->product());
-  return apply(tr("make a joint"), [word](std::vector<JointEdit> said) { return withWord(std::move(said), word); });
+  const JointEdit word = editForJoint(joint, panel_->table()->product());
+  return apply(tr("make a joint"), [word](std::vector<JointEdit> said) { return withEdit(std::move(said), word); });
 }
 
 void JointsController::askForNew() {
@@ -291,10 +291,10 @@ void JointsController::askForChosen() {
   if (rows.size() != 1) return;
   const ProductPtr product = found_->product;
   const auto accept = [this, product, row = rows.front()](const Joint& joint) {
-    const JointEdit word = wordThatMakes(joint, *product);
+    const JointEdit word = editForJoint(joint, *product);
     return apply(tr("change a joint"), [word, row](std::vector<JointEdit> said) {
       if (!isSameJoint(word.key, row.key)) said = withoutJoint(std::move(said), row);
-      return withWord(std::move(said), word);
+      return withEdit(std::move(said), word);
     });
   };
   JointDialog dialog(product, rows.front().joint, accept, &bench_.window);
@@ -314,7 +314,7 @@ Outcome JointsController::apply(const QString& text, const JointChange& change) 
   });
 }
 
-void JointsController::applyOrTell(const QString& text, const JointChange& change) {
+void JointsController::applyOrReport(const QString& text, const JointChange& change) {
   if (const Outcome applied = apply(text, change); !applied) {
     bench_.messages.showError(tr("The joint cannot be changed"), applied.error());
   }
@@ -329,7 +329,7 @@ void JointsController::enableActions() {
   bench_.enable("joints.dissolve", isAnyChosen(*panel_, counts));
   bench_.enable("joints.press-out", isAnyChosen(*panel_, canBePressedOut));
   bench_.enable("joints.open", isAnyChosen(*panel_, canBeOpened));
-  bench_.enable("joints.as-found", isAnyChosen(*panel_, isSaid));
+  bench_.enable("joints.as-found", isAnyChosen(*panel_, isStated));
   bench_.enable("joints.change", chosenIn(*panel_, counts).size() == 1);
   bench_.enable("joints.make", !selectedBodies().empty());
 }

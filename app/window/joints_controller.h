@@ -34,14 +34,14 @@ class JointsController final : public QObject {
 
   void connectActions();
   void followDocument(Changes what);
-  bool isOfFound(Changes what) const;
+  bool isOfFoundJoints(Changes what) const;
   void find();
   void take(const Found& found);
   void showFound();
   void showChosen();
   void isolateChosen();
   /// Replaces the person's edit of each chosen joint for which `fits` is true.
-  void sayOfChosen(const QString& text, JointEdit::Word word, bool (*fits)(const JointRow&));
+  void stateForChosen(const QString& text, JointEdit::Word word, bool (*fits)(const JointRow&));
   /// Confirms joints as they are.
   void confirm(const QString& text, const std::vector<JointRow>& rows);
   void dissolveChosen();
@@ -50,7 +50,7 @@ class JointsController final : public QObject {
   void askForNew();
   void askForChosen();
   Outcome apply(const QString& text, const JointChange& change);
-  void applyOrTell(const QString& text, const JointChange& change);
+  void applyOrReport(const QString& text, const JointChange& change);
   void enableActions();
 
   const Workbench& bench_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/base/enum_names.h"
 #include "engine/base/number_text.h"
 #include "engine/planning/path_examination.h"
 #include "engine/scenario/scenario_bodies.h"
@@ -13,16 +14,7 @@ namespace {
 /// Number of samples of a path's clearance for the compared curves.
 constexpr std::size_t kComparedSamples = 200;
 
-const char* stateWord(KeptPathState state) {
-  switch (state) {
-    case KeptPathState::Unknown: return "unknown";
-    case KeptPathState::Holds: return "proved";
-    case KeptPathState::Blocked: return "blocked";
-    case KeptPathState::OtherEnds: return "other-ends";
-    case KeptPathState::OtherObject: break;
-  }
-  return "other-object";
-}
+constexpr EnumNames<KeptPathState, 5> kProofNames{{"unknown", "proved", "blocked", "other-ends", "other-object"}};
 
 }  // namespace
 
@@ -198,7 +190,10 @@ Outcome KeptPathsController::openPath(const std::string& name) {
   const KeptPathPtr path = bench_.document.paths().find(name);
   if (!path) return wrongCommand("there is no kept path '" + name + "'");
   if (path->object != idOf(bench_.document.scenario()->scenario.object)) {
-    return Diagnostic{ErrorKind::Usage, "", name, GLISSADE_TEXT("another object moves now"),
+    return Diagnostic{ErrorKind::Usage,
+                      "",
+                      name,
+                      GLISSADE_TEXT("another object moves now"),
                       {GLISSADE_TEXT("Make '%1' the object first."), {path->object}}};
   }
   if (isRunning(*bench_.session.snapshot())) {
@@ -283,7 +278,7 @@ void KeptPathsController::addCommands() {
   });
   add("open-kept-path", 1, [this](const KeptPath& path, const Words&) { return openPath(path.name); });
   add("expect-kept-path", 2, [this](const KeptPath& path, const Words& words) -> Outcome {
-    const std::string found = stateWord(proofOf(path).state);
+    const std::string found = kProofNames.of(proofOf(path).state);
     if (found == words[1]) return Done{};
     return unmetExpectation("the kept path '" + path.name + "' is '" + found + "', not '" + words[1] + "'");
   });

@@ -171,7 +171,7 @@ std::optional<Diagnostic> MainWindow::openScenario(const QString& file, bool qui
   return files_->openScenario(file, quiet, FindFits::LaterIfLarge);
 }
 
-void MainWindow::importParts(const QStringList& files) { files_->openAny(files, PartsDialog::Purpose::NewScenario); }
+void MainWindow::importParts(const QStringList& files) { files_->openFiles(files, PartsDialog::Purpose::NewScenario); }
 
 void MainWindow::setTheme(Theme theme) {
   applyTheme(theme);

@@ -181,7 +181,7 @@ void ReplayController::replayWithCurrentParameters() {
     const std::uint64_t steps = std::max(kLeastSteps, kPatience * (log->end ? log->end->step : 0));
     overrideParameter(ParameterId::MaxSteps, std::min(1e9, static_cast<double>(steps)), *log);
   }
-  start(std::move(*log), ReplayEnd::GoOn);
+  start(std::move(*log), ReplayEnd::Continue);
 }
 
 void ReplayController::start(RunLog log, ReplayEnd end) {
@@ -236,7 +236,7 @@ void ReplayController::judge() {
   const RunLog again = parts.empty() ? RunLog() : joined(parts);
   const std::uint64_t nodes = progress_.latest->counts.nodes;
   const RunCheckpoint recorded = log_->end.value_or(RunCheckpoint{});
-  if (end_ == ReplayEnd::GoOn) {
+  if (end_ == ReplayEnd::Continue) {
     const bool solved = progress_.latest->state == SessionState::Solved;
     showVerdict("another", tr("other parameters"),
                 (solved ? tr("Other parameters: solved, %1 nodes (recorded: %2)")

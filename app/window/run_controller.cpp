@@ -68,7 +68,8 @@ Outcome selectOperator(SessionBridge& session, const std::string& id) {
 }
 
 Outcome selectStrategy(SessionBridge& session, const std::string& id) {
-  if (makePlannerRegistry().find(id) == nullptr) return wrongCommand("there is no strategy '" + id + "'");
+  if (makePlannerRegistry().find(id) == nullptr)
+    return unknownPlanner(id, GLISSADE_TEXT("See the list of the interaction panel."));
   session.post(command::SetPlanner{id});
   return Done{};
 }

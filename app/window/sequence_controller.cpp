@@ -256,10 +256,10 @@ void SequenceController::followArrangement(bool another) {
   } else {
     keepPlan({product, shown().plan ? planOf(*product, shown().plan) : nullptr, false, shown().foundAfter, {}});
   }
-  if (shown().plan) planner_.judge(product, shown().plan, saidOf(*product), bench_.work.isAtOnce());
+  if (shown().plan) planner_.judge(product, shown().plan, statedDemands(*product), bench_.work.isAtOnce());
 }
 
-SequenceDemands SequenceController::saidOf(const AssembledProduct& product) const {
+SequenceDemands SequenceController::statedDemands(const AssembledProduct& product) const {
   const auto demands = knownDemands(bench_.document.current(), product);
   return demands ? *demands : SequenceDemands();
 }
@@ -358,7 +358,7 @@ std::optional<Diagnostic> SequenceController::open(const QString& file) {
   planner_.drop();
   bringToFront();
   // The demands of the document are read before the file's demands replace them.
-  const SequenceDemands said = saidOf(*product);
+  const SequenceDemands said = statedDemands(*product);
   keepPlan({product, ours, false, {}, {}});
   adoptDemands(*ours);
   planner_.judge(product, shown().plan, said, bench_.work.isAtOnce());
@@ -440,15 +440,15 @@ void SequenceController::chooseExport() {
       tr("Assembly plan (*.json);;Work instruction (*.html);;Work instruction (*.pdf);;Table of steps (*.csv);;"
          "Animation (*.glb)") +
           QStringLiteral(";;") + filmFilter());
-  if (!file.isEmpty()) exportAndTell(file);
+  if (!file.isEmpty()) exportAndReport(file);
 }
 
 void SequenceController::chooseFilm() {
   const QString file = chooseFilmFile(bench_, tr("Film the sequence"), QStringLiteral("sequence"));
-  if (!file.isEmpty()) exportAndTell(file);
+  if (!file.isEmpty()) exportAndReport(file);
 }
 
-void SequenceController::exportAndTell(const QString& file) {
+void SequenceController::exportAndReport(const QString& file) {
   exportTo(file, [this, file](const SaveResult& saved) { tell(file, saved); });
 }
 

@@ -42,7 +42,7 @@ class SequenceController final : public QObject {
   /// Keeps the result of the independent check of this plan, and of the access check.
   void note(const PlanPtr& plan, const PlanCheck& check, const PlanAccessPtr& access);
   /// The demands that the document holds about the product.
-  SequenceDemands saidOf(const AssembledProduct& product) const;
+  SequenceDemands statedDemands(const AssembledProduct& product) const;
   /// Chooses the row of this body when the next plan is shown.
   void chooseLater(const std::string& body) { chosenLater_ = body; }
   /// Reads a plan of the open product and judges it; returns nothing on success.
@@ -56,7 +56,7 @@ class SequenceController final : public QObject {
   /// called at once, or later for a work instruction and a film.
   void exportTo(const QString& file, const InstructionJob::Finished& finished);
   /// Exports as exportTo(), and a message shows the result.
-  void exportAndTell(const QString& file);
+  void exportAndReport(const QString& file);
   /// Shows the result of writing a file of the plan.
   void tell(const QString& file, const SaveResult& saved);
   /// For scripts: calls `write` and returns the result if it is known at once; on screen a message shows it later.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/window/sequence_controller.h"
+#include "engine/base/enum_names.h"
 #include "engine/base/number_text.h"
 
 namespace glissade {
@@ -18,15 +19,12 @@ Result<double> numberIn(const std::string& word, double most) {
   return *number;
 }
 
+/// Names of scripts, which write a dash where files have an underscore.
+constexpr EnumNames<PlanEnd, 4> kEndWords{{"complete", "stuck", "time-limit", "interrupted"}};
+
 std::string endOf(const ShownPlan& shown) {
   if (!shown.plan) return "none";
-  switch (shown.plan->end) {
-    case PlanEnd::Complete: return "complete";
-    case PlanEnd::Stuck: return "stuck";
-    case PlanEnd::TimeLimit: return "time-limit";
-    case PlanEnd::Interrupted: break;
-  }
-  return "interrupted";
+  return kEndWords.of(shown.plan->end);
 }
 
 /// The count that the word names; nothing if the word is unknown.

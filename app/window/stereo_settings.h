@@ -2,8 +2,7 @@
 
 #include <QString>
 
-#include <array>
-
+#include "engine/base/enum_names.h"
 #include "widgets/scene3d/screen_geometry.h"
 
 namespace glissade {
@@ -15,8 +14,7 @@ enum class Convergence {
   Pointer  ///< the point on which the pointer rested last
 };
 
-/// Names of the settings' values, in the order of Convergence.
-inline constexpr std::array<const char*, 3> kConvergenceNames{"focus", "object", "pointer"};
+inline constexpr EnumNames<Convergence, 3> kConvergenceNames{{"focus", "object", "pointer"}};
 
 /// A user's settings of stereo and of the screen. WindowMemory keeps them.
 struct StereoSettings {

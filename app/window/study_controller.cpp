@@ -182,7 +182,7 @@ void StudyController::show(const Content& content) {
     browser_->resize(bench_.window.size());
     browser_->addPlotActions(bench_.actions);
     connect(browser_, &StudyBrowser::plotChanged, this, &StudyController::enablePlotActions);
-    connect(browser_, &StudyBrowser::runWanted, this, [this](const StudyRun& run) {
+    connect(browser_, &StudyBrowser::runRequested, this, [this](const StudyRun& run) {
       if (const auto why = show(run)) bench_.messages.showError(tr("The run cannot be shown"), *why);
     });
   }

@@ -124,10 +124,10 @@ void TimesController::makeView() {
   connect(&undo, &QUndoStack::canUndoChanged, &editor, &WorkTimesEditor::setCanUndo);
   connect(&undo, &QUndoStack::canRedoChanged, &editor, &WorkTimesEditor::setCanRedo);
   connect(&editor, &WorkTimesEditor::edited, &table(), &WorkTimesStore::edit);
-  connect(&editor, &WorkTimesEditor::undoAsked, &undo, &QUndoStack::undo);
-  connect(&editor, &WorkTimesEditor::redoAsked, &undo, &QUndoStack::redo);
-  connect(&editor, &WorkTimesEditor::openAsked, this, &TimesController::chooseFile);
-  connect(&editor, &WorkTimesEditor::saveAsked, this, &TimesController::chooseTarget);
+  connect(&editor, &WorkTimesEditor::undoRequested, &undo, &QUndoStack::undo);
+  connect(&editor, &WorkTimesEditor::redoRequested, &undo, &QUndoStack::redo);
+  connect(&editor, &WorkTimesEditor::openRequested, this, &TimesController::chooseFile);
+  connect(&editor, &WorkTimesEditor::saveRequested, this, &TimesController::chooseTarget);
 }
 
 /// Computes the times. A running CBC cannot be stopped, so a later request waits for its end.

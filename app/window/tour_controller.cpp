@@ -69,7 +69,7 @@ TourController::TourController(const Workbench& bench)
   connect(panel_, &TourPanel::next, this, &TourController::next);
   connect(panel_, &TourPanel::back, this, [this] { go(*current_ - 1); });
   connect(panel_, &TourPanel::end, this, [this] { go(std::nullopt); });
-  connect(panel_, &TourPanel::doIt, this, [this] {
+  connect(panel_, &TourPanel::stepRequested, this, [this] {
     if (const Outcome done = doStep(); !done) bench_.messages.showError(tr("This cannot be done"), done.error());
   });
   connect(escape_, &QShortcut::activated, this, [this] { go(std::nullopt); });

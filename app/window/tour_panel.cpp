@@ -22,7 +22,7 @@ TourPanel::TourPanel(QWidget* scene)
       where_(new QLabel(this)),
       title_(new QLabel(this)),
       text_(new QLabel(this)),
-      doIt_(addButton(tr("Do it for me"), &TourPanel::doIt)),
+      doIt_(addButton(tr("Do it for me"), &TourPanel::stepRequested)),
       back_(addButton(tr("Back"), &TourPanel::back)),
       next_(addButton(tr("Next"), &TourPanel::next)),
       end_(addButton(tr("End"), &TourPanel::end)) {

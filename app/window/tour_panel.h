@@ -21,7 +21,7 @@ class TourPanel final : public QFrame {
  signals:
   void back();
   void next();
-  void doIt();
+  void stepRequested();
   void end();
 
  protected:

@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "engine/base/enum_names.h"
 #include "engine/scenario/work_times_json.h"
 
 namespace glissade {
@@ -33,18 +34,8 @@ const QLatin1String kStereo("stereo/");
 const QLatin1String kChoices("choices/");
 const QLatin1String kShortcuts("shortcuts/");
 
-/// Names in the order of LengthUnit.
-constexpr std::array<const char*, 4> kUnitNames{"fitting", "mm", "in", "m"};
-
-/// Names in the order of ThemeChoice.
-constexpr std::array<const char*, 3> kThemeNames{"desktop", "light", "dark"};
-
-LengthUnit unitNamed(const QString& name) {
-  for (std::size_t i = 0; i < kUnitNames.size(); ++i) {
-    if (name == QLatin1String(kUnitNames[i])) return static_cast<LengthUnit>(i);
-  }
-  return LengthUnit::Fitting;
-}
+constexpr EnumNames<LengthUnit, 4> kUnitNames{{"fitting", "mm", "in", "m"}};
+constexpr EnumNames<ThemeChoice, 3> kThemeNames{{"desktop", "light", "dark"}};
 
 /// Visits each colour with its key in the settings.
 template <class Colours, class Visit>
@@ -197,10 +188,7 @@ QString WindowMemory::instructionTemplate() const { return settings_.value(kInst
 void WindowMemory::saveInstructionTemplate(const QString& file) { settings_.setValue(kInstructionTemplate, file); }
 
 ThemeChoice WindowMemory::theme() const {
-  const QString name = settings_.value(kTheme).toString();
-  for (std::size_t i = 0; i < kThemeNames.size(); ++i) {
-    if (name == QLatin1String(kThemeNames[i])) return static_cast<ThemeChoice>(i);
-  }
+  if (const auto known = kThemeNames.find(settings_.value(kTheme).toString().toStdString())) return *known;
   // Earlier versions kept the theme as the state of an action.
   const QVariant dark = settings_.value(kChoices + QLatin1String("view.dark"));
   if (dark.isNull()) return ThemeChoice::Desktop;
@@ -212,10 +200,8 @@ StereoSettings WindowMemory::stereo() const {
   const QString mode = settings_.value(kStereo + QLatin1String("mode")).toString();
   settings.mode = stereoModeNamed(mode.toStdString()).value_or(StereoMode::Off);
   settings.swapped = settings_.value(kStereo + QLatin1String("swapped")).toBool();
-  const QString convergence = settings_.value(kStereo + QLatin1String("convergence")).toString();
-  for (std::size_t i = 0; i < kConvergenceNames.size(); ++i) {
-    if (convergence == QLatin1String(kConvergenceNames[i])) settings.convergence = static_cast<Convergence>(i);
-  }
+  const std::string convergence = settings_.value(kStereo + QLatin1String("convergence")).toString().toStdString();
+  settings.convergence = kConvergenceNames.find(convergence).value_or(settings.convergence);
   for (const auto& [name, length] : kScreenLengths) {
     const double metres = settings_.value(kStereo + QLatin1String(name), settings.screen.*length).toDouble();
     if (metres >= kLeastScreen.*length && metres <= kMostScreen.*length) settings.screen.*length = metres;
@@ -227,8 +213,7 @@ StereoSettings WindowMemory::stereo() const {
 void WindowMemory::saveStereo(const StereoSettings& settings) {
   settings_.setValue(kStereo + QLatin1String("mode"), QLatin1String(entryOf(settings.mode).name));
   settings_.setValue(kStereo + QLatin1String("swapped"), settings.swapped);
-  const auto convergence = static_cast<std::size_t>(settings.convergence);
-  settings_.setValue(kStereo + QLatin1String("convergence"), QLatin1String(kConvergenceNames[convergence]));
+  settings_.setValue(kStereo + QLatin1String("convergence"), QLatin1String(kConvergenceNames.of(settings.convergence)));
   for (const auto& [name, length] : kScreenLengths) {
     settings_.setValue(kStereo + QLatin1String(name), settings.screen.*length);
   }
@@ -240,7 +225,8 @@ Preferences WindowMemory::preferences() const {
   preferences.language = settings_.value(kLanguage).toString();
   const double points = settings_.value(kFontPoints, preferences.fontPoints).toDouble();
   if (points >= kLeastFontPoints && points <= kMostFontPoints) preferences.fontPoints = points;
-  preferences.lengthUnit = unitNamed(settings_.value(kLengthUnit).toString());
+  preferences.lengthUnit =
+      kUnitNames.find(settings_.value(kLengthUnit).toString().toStdString()).value_or(LengthUnit::Fitting);
   const int seconds = settings_.value(kAutosave, preferences.autosaveSeconds).toInt();
   if (seconds >= kLeastAutosaveSeconds && seconds <= kMostAutosaveSeconds) preferences.autosaveSeconds = seconds;
   preferences.theme = theme();
@@ -254,9 +240,9 @@ Preferences WindowMemory::preferences() const {
 void WindowMemory::savePreferences(const Preferences& preferences) {
   settings_.setValue(kLanguage, preferences.language);
   settings_.setValue(kFontPoints, preferences.fontPoints);
-  settings_.setValue(kLengthUnit, QLatin1String(kUnitNames[static_cast<std::size_t>(preferences.lengthUnit)]));
+  settings_.setValue(kLengthUnit, QLatin1String(kUnitNames.of(preferences.lengthUnit)));
   settings_.setValue(kAutosave, preferences.autosaveSeconds);
-  settings_.setValue(kTheme, QLatin1String(kThemeNames[static_cast<std::size_t>(preferences.theme)]));
+  settings_.setValue(kTheme, QLatin1String(kThemeNames.of(preferences.theme)));
   forEachColour(preferences.colours, [this](const char* name, const std::optional<Colour>& colour) {
     const QString key = kColours + QLatin1String(name);
     if (colour) {

@@ -189,7 +189,7 @@ class WatchedText {
 
 }  // namespace
 
-Diagnostic notReadToItsEnd(const std::string& file) {
+Diagnostic readingStopped(const std::string& file) {
   return {ErrorKind::Interrupted, file, "", GLISSADE_TEXT("was not read to its end"), GLISSADE_TEXT("Open it again.")};
 }
 
@@ -208,7 +208,7 @@ Result<Json> parseJson(const std::string& text, const std::string& file, const W
     ParserGuard guard(valuesLeft);
     return Json::parse(WatchedText(text, 0, watch), WatchedText(text, text.size(), watch), std::ref(guard));
   } catch (const Stopped&) {
-    return notReadToItsEnd(file);
+    return readingStopped(file);
   } catch (const Json::parse_error& error) {
     const std::size_t end = std::min(error.byte, text.size());
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/base/enum_names.h"
 #include "engine/base/result.h"
 #include "engine/base/work_watch.h"
 
@@ -47,6 +48,12 @@ class JsonCursor {
   double length() const;      ///< a size in metres, within the limits
   std::uint64_t wholeNumber() const;
   bool boolean() const;
+  /// The value of an enumeration by its name. Any other text is an error that lists the names.
+  template <class Enum, std::size_t count>
+  Enum named(const EnumNames<Enum, count>& names) const {
+    if (const auto value = names.find(text())) return *value;
+    fail({GLISSADE_TEXT("is not one of: %1"), {names.listed()}});
+  }
 
  private:
   const Json* value_;
@@ -85,6 +92,6 @@ auto readJson(const std::string& text, const std::string& file, const Read& read
   }
 }
 /// The error for a file whose reading was stopped.
-Diagnostic notReadToItsEnd(const std::string& file);
+Diagnostic readingStopped(const std::string& file);
 
 }  // namespace glissade

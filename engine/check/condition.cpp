@@ -30,7 +30,7 @@ Condition comesApart(const std::string& body, const std::string& other) {
 
 Condition areOneUnit(const Message& bodies) { return {{GLISSADE_TEXT("%1 are one unit"), {bodies}}}; }
 
-Condition areTheBase(const Message& bodies) { return {{GLISSADE_TEXT("%1 stay as the base"), {bodies}}}; }
+Condition areFixedAsBase(const Message& bodies) { return {{GLISSADE_TEXT("%1 stay as the base"), {bodies}}}; }
 
 Condition leavesBefore(const std::string& body, const std::string& other) {
   return {{GLISSADE_TEXT("'%1' may leave before '%2', although the reverse is demanded"), {body, other}}};

@@ -26,7 +26,7 @@ Condition isFlexible(const std::string& body);
 Condition noJointsAreUsed();
 Condition comesApart(const std::string& body, const std::string& other);
 Condition areOneUnit(const Message& bodies);
-Condition areTheBase(const Message& bodies);
+Condition areFixedAsBase(const Message& bodies);
 Condition leavesBefore(const std::string& body, const std::string& other);
 /// `number`, `demanded`: places in the order of removal, from 1.
 Condition leavesAs(const std::string& body, std::size_t number, std::size_t demanded);

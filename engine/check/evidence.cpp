@@ -310,8 +310,8 @@ PairBounds boundsOf(const MeasuredBody& one, const MeasuredBody& other, const Fi
   bounds.depth = inMicrometresUp(std::min(ofOne, ofOther));
   const double off =
       kTouchingSurfaces + spacing + std::max(bounds.one.largest.deflection, bounds.other.largest.deflection);
-  const bool isSaid = word != nullptr && (word->allowance || !word->kind.empty() || word->accepted);
-  bounds.isPlainOverlap = !isSaid && bounds.depth > off + roundOverlap(one.body, other.body);
+  const bool isStated = word != nullptr && (word->allowance || !word->kind.empty() || word->accepted);
+  bounds.isPlainOverlap = !isStated && bounds.depth > off + roundOverlap(one.body, other.body);
   bounds.isRefused = bounds.one.most <= 0.0 && bounds.other.most <= 0.0 &&
                      (bounds.one.isClash || bounds.other.isClash) && !fits.accepts(word, bounds.depth);
   return bounds;

@@ -131,7 +131,7 @@ void takeThread(const std::vector<StatedAllowance>& stated, PairWork& work) {
   }
   Thread thread = *found;
   thread.assembled = assembled;
-  work.heedWord(thread, pitch);
+  work.applyStatements(thread, pitch);
   if (const Message wrong = wrongPitch(thread); !wrong.empty()) refusePair(wrong, work);
   for (AppliedAllowance& allowance : work.fit.applied) allowance.thread = thread;
   work.fit.thread = thread;

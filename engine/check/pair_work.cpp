@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-
 namespace glissade::check {
 namespace {
 
@@ -77,7 +76,7 @@ AppliedAllowance& PairWork::add(bool yields, double applied) {
   return fit.applied.back();
 }
 
-void PairWork::heedWord(Thread& thread, const std::optional<double>& stated) {
+void PairWork::applyStatements(Thread& thread, const std::optional<double>& stated) {
   const std::optional<double> said = word != nullptr ? word->pitch : std::nullopt;
   if (said && stated && std::abs(*said - *stated) > 1e-9) {
     fit.refusals.push_back(

@@ -21,7 +21,7 @@ struct PairWork {
   AppliedAllowance& add(bool yields, double applied);
   /// Sets the pitch: a person's, else the stated one, else that of the path. Sets which body may turn by a person's
   /// statement.
-  void heedWord(Thread& thread, const std::optional<double>& stated);
+  void applyStatements(Thread& thread, const std::optional<double>& stated);
 
   const PairQuestion& question;
   const FitWords& fits;

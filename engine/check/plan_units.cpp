@@ -127,7 +127,7 @@ std::vector<Condition> baseOf(const Plan& plan, const Product& product, PlacedBo
     for (const std::size_t body : bodiesNamed(product, name)) said.insert(product.bodies[body].id);
   }
   if (std::includes(said.begin(), said.end(), staying.begin(), staying.end())) return {};
-  return {areTheBase(shortListOf(staying, product))};
+  return {areFixedAsBase(shortListOf(staying, product))};
 }
 
 }  // namespace glissade::check

@@ -22,10 +22,7 @@ Asset readAsset(const JsonCursor& at) {
   asset.path = at.at("path").exactText();
   if (const auto hash = at.find("sha256")) asset.sha256 = hash->text();
   if (const auto unit = at.find("unit")) asset.unit = unit->length();
-  if (const auto up = at.find("up_axis")) {
-    if (up->text() != "y" && up->text() != "z") up->fail(GLISSADE_TEXT("is neither \"y\" nor \"z\""));
-    asset.up = up->text() == "y" ? UpAxis::Y : UpAxis::Z;
-  }
+  if (const auto up = at.find("up_axis")) asset.up = up->named(kUpAxisNames);
   if (const auto deflection = at.find("deflection")) asset.deflection = deflection->length();
   if (const auto close = at.find("close_holes")) asset.closeHoles = close->boolean();
   return asset;

@@ -72,7 +72,7 @@ void takeCore(const std::vector<StatedAllowance>& stated, PairWork& work) {
   allowance.core = true;
   allowance.most = core->depth();
   allowance.evidence = {core->depth() - core->spacing - core->margin, 0.0, core->spacing, core->margin};
-  work.heedWord(thread, thread.pitch);
+  work.applyStatements(thread, thread.pitch);
   allowance.thread = work.fit.thread = thread;
   work.fit.core = inFrame(inverse(claim.yields ? work.question.other.X_WB : thread.assembled), *core);
   if (claim.allowance > (1.0 + kEstimate) * core->depth()) refuse(GLISSADE_TEXT("its thread is not so deep"));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "engine/base/enum_names.h"
 #include "engine/check/plain_overlaps.h"
 #include "engine/check/verdict_words.h"
 #include "engine/geometry/pose_json.h"
@@ -16,14 +17,8 @@ using Report = nlohmann::ordered_json;
 
 Report finite(double value) { return std::isfinite(value) ? Report(value) : Report(nullptr); }
 
-const char* nameOf(Status status) {
-  switch (status) {
-    case Status::Certified: return "certified";
-    case Status::Violated: return "violated";
-    case Status::Undecided: return "undecided";
-  }
-  return "";
-}
+constexpr EnumNames<Status, 3> kStatusNames{{"certified", "violated", "undecided"}};
+constexpr EnumNames<PlanOutcome, 5> kOutcomeNames{{"valid", "conditional", "incomplete", "undecided", "invalid"}};
 
 std::string bodyName(const Nearest& nearest, const Product& product) {
   return nearest.body < 0 ? std::string() : product.bodies[static_cast<std::size_t>(nearest.body)].name;
@@ -85,7 +80,7 @@ Message threadInWords(const PathVerdict& verdict, const Question& question) {
 }
 
 Report edgeJson(const EdgeVerdict& edge, const Product& product) {
-  Report json{{"status", nameOf(edge.status)},
+  Report json{{"status", kStatusNames.of(edge.status)},
               {"required_m", edge.demand.clearance},
               {"sliding", edge.demand.sliding},
               {"proved_clearance_m", finite(edge.provedClearance)},
@@ -254,7 +249,7 @@ std::string reportText(const PathVerdict& verdict, const Question& question, boo
 Report reportJson(const PathVerdict& verdict, const Question& question, bool edges) {
   const Product& product = question.product;
   const MotionVerdict& motion = verdict.motion.verdict;
-  Report certificate{{"status", nameOf(motion.status)},
+  Report certificate{{"status", kStatusNames.of(motion.status)},
                      {"min_clearance_m", finite(motion.minClearance)},
                      {"proved_clearance_m", finite(motion.provedClearance)},
                      {"tolerance_m", motion.demanded},
@@ -452,17 +447,6 @@ Report conditionsJson(const std::vector<Condition>& conditions) {
   return list;
 }
 
-const char* nameOf(PlanOutcome outcome) {
-  switch (outcome) {
-    case PlanOutcome::Valid: return "valid";
-    case PlanOutcome::Conditional: return "conditional";
-    case PlanOutcome::Incomplete: return "incomplete";
-    case PlanOutcome::Undecided: return "undecided";
-    case PlanOutcome::Invalid: return "invalid";
-  }
-  return "";
-}
-
 Report stepsJson(const std::vector<StepVerdict>& steps, const std::string& group, const Product& product) {
   Report report = Report::array();
   for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -495,7 +479,7 @@ Report stepsJson(const std::vector<StepVerdict>& steps, const std::string& group
 Report reportJson(const PlanVerdict& verdict, const Product& product) {
   const PlanOutcome outcome = verdict.outcome();
   Report report{{"valid", outcome == PlanOutcome::Valid},
-                {"verdict", nameOf(outcome)},
+                {"verdict", kOutcomeNames.of(outcome)},
                 {"complete", verdict.remaining == 0 && verdict.inGroups == 0 && verdict.parts > 0},
                 {"parts", verdict.parts},
                 {"parts_without_step", verdict.remaining},

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/enum_names.h"
 #include "engine/base/stop_token.h"
 #include "engine/collision/forbidden_regions.h"
 #include "engine/collision/motion_bound.h"
@@ -75,6 +76,7 @@ struct QueryCounts {
 
 /// Implementation of the surface queries: our own kernel, or FCL as its reference and fallback.
 enum class CollisionBackend { Kernel, Fcl };
+inline constexpr EnumNames<CollisionBackend, 2> kCollisionBackendNames{{"kernel", "fcl"}};
 
 /// Queries of one CollisionWorld. One query object per thread; poses must be valid (isValid). Obstacles are solids: an
 /// object wholly inside a closed obstacle, or around one, is in collision.

@@ -11,12 +11,14 @@
 #include "engine/assembly/missing_shape.h"
 #include "engine/assembly/occurrence.h"
 #include "engine/base/diagnostic.h"
+#include "engine/base/enum_names.h"
 #include "engine/geometry/triangle_mesh.h"
 #include "engine/import/formats/mesh_content.h"
 
 namespace glissade {
 
 enum class UpAxis { Y, Z };
+inline constexpr EnumNames<UpAxis, 2> kUpAxisNames{{"y", "z"}};
 
 /// A file that contains geometry.
 struct Asset {

@@ -31,7 +31,7 @@ EdgePolygon EdgePolygons::fromTriangles(const TopoDS_Edge& edge, bool trusted) c
     TopLoc_Location location;
     BRep_Tool::PolygonOnTriangulation(edge, nodes, triangles, location, i);
     if (nodes.IsNull() || triangles.IsNull()) return polygon;
-    if (!nodes->HasParameters() || trusted == (distrusted_.count(triangles.get()) > 0)) continue;
+    if (!nodes->HasParameters() || trusted == (unreliable_.count(triangles.get()) > 0)) continue;
     for (int n = 1; n <= nodes->NbNodes(); ++n) {
       polygon.parameters.push_back(nodes->Parameter(n));
       polygon.points.push_back(triangles->Node(nodes->Node(n)).Transformed(location.Transformation()));

@@ -23,7 +23,7 @@ class EdgePolygons {
   explicit EdgePolygons(double deflection) : deflection_(deflection) {}
 
   /// Marks the triangles of a face as unreliable: their polygons are used only if there are no others.
-  void distrust(const Handle(Poly_Triangulation) & triangles) { distrusted_.insert(triangles.get()); }
+  void markUnreliable(const Handle(Poly_Triangulation) & triangles) { unreliable_.insert(triangles.get()); }
 
   /// Returns the same polygon at each call. Empty if the edge has no curve.
   const EdgePolygon& of(const TopoDS_Edge& edge);
@@ -33,7 +33,7 @@ class EdgePolygons {
   EdgePolygon divided(const TopoDS_Edge& edge) const;
 
   double deflection_;
-  std::set<const Poly_Triangulation*> distrusted_;
+  std::set<const Poly_Triangulation*> unreliable_;
   NCollection_DataMap<TopoDS_Shape, EdgePolygon, TopTools_ShapeMapHasher> known_;
 };
 

@@ -54,7 +54,7 @@ std::vector<HealedFace> healFaces(const TopoDS_Shape& meshed, double deflection)
     faces.push_back({face, fault, FaceMeshing::Failed});
     TopLoc_Location location;
     const Handle(Poly_Triangulation) triangles = BRep_Tool::Triangulation(face, location);
-    if (!triangles.IsNull()) polygons.distrust(triangles);
+    if (!triangles.IsNull()) polygons.markUnreliable(triangles);
   }
   for (HealedFace& healed : faces) healed.meshing = meshFace(healed.face, deflection, polygons);
   for (HealedFace& healed : faces) healed.deflection = deflectionOf(healed.face);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "engine/base/enum_names.h"
 #include "engine/operator/operator_input.h"
 
 namespace glissade {
@@ -36,6 +37,7 @@ enum class MotionFrame {
   World,  ///< as in the front view: right is x, up is z, towards you is -y
   Object  ///< the object's own x, y, z
 };
+inline constexpr EnumNames<MotionFrame, 3> kMotionFrameNames{{"view", "world", "object"}};
 
 /// The mapping from a device to its motion: one pipeline for 6D mouse, keys and gamepad.
 struct DeviceShaping {

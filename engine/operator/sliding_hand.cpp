@@ -80,7 +80,7 @@ Pose SlidingHand::ledBy(double dt, const OperatorView& view, const Box3& bounds)
 void SlidingHand::follow(double dt) {
   const int most = std::max(1, static_cast<int>(dt / kQueryPeriod));
   for (int query = 0; query < most && object_.pose() != hand_; ++query) {
-    if (object_.curious()) {
+    if (object_.needsSurroundings()) {
       const Surroundings around = lookAround(*query_, object_.pose(), kSlowFrom * radius_);
       clearance_ = around.clearance;
       object_.learn(around);

@@ -108,6 +108,18 @@ class PlannerRegistry {
 
 std::vector<std::string> idsOf(const PlannerRegistry& registry);
 
+/// The entry of a planner that turns the object out of its threads by screw motions first and uses the given planner
+/// for the rest (threaded_planner.h). For problems without threads it makes the given planner.
+PlannerEntry withScrewMotions(PlannerEntry entry);
+
+/// Prefix of the ids of planners for comparison, which only studies and glissade-cli have
+/// (engine/study/benchmarks/peer_planners.h).
+inline constexpr std::string_view kPeerPrefix = "peer-";
+
+/// The error where a registry without planners for comparison has no planner of the id. The advice is for ids that no
+/// registry has.
+Diagnostic unknownPlanner(const std::string& id, const Message& advice);
+
 /// All planners for a whole problem: the strategies of both papers.
 PlannerRegistry makePlannerRegistry();
 

@@ -67,27 +67,6 @@ void addOmplPlanners(PlannerRegistry& registry) {
       GLISSADE_TEXT("One tree that grows where it is sparse (Hsu et al. 1999)."), OmplAlgorithm::Est);
 }
 
-/// Adds the planners for comparison with ours.
-void addPeers(PlannerRegistry& registry) {
-  const auto add = [&](std::string id, const std::string& algorithm, OmplAlgorithm which) {
-    registry.add({std::move(id),
-                  {GLISSADE_TEXT("For comparison: unmodified %1"), {algorithm}},
-                  {GLISSADE_TEXT("%1 as OMPL's users run it: collisions by FCL, edges looked at every so often; the "
-                                 "first path is judged by our certificate."),
-                   {algorithm}},
-                  false,
-                  false,
-                  [which](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
-                    return std::make_unique<OmplPlanner>(problem, seed, which, OmplManner::AsItIs);
-                  }});
-  };
-  add("peer-rrtconnect", "RRT-Connect", OmplAlgorithm::RrtConnect);
-  add("peer-rrt", "RRT", OmplAlgorithm::Rrt);
-  add("peer-trrt", "TRRT", OmplAlgorithm::Trrt);
-  add("peer-bitrrt", "BiTRRT", OmplAlgorithm::BiTrrt);
-  add("peer-bkpiece", "BKPIECE", OmplAlgorithm::Bkpiece);
-}
-
 }  // namespace
 
 void PlannerRegistry::add(PlannerEntry entry) { entries_.push_back(std::move(entry)); }
@@ -103,10 +82,7 @@ std::vector<std::string> idsOf(const PlannerRegistry& registry) {
   return ids;
 }
 
-namespace {
-
-/// The planner itself for problems without threads; else a planner that uses it for the part after the screw motions.
-PlannerEntry turningThreads(PlannerEntry entry) {
+PlannerEntry withScrewMotions(PlannerEntry entry) {
   entry.make = [make = std::move(entry.make)](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
     if (problem.world->threads().empty()) return make(problem, seed);
     return std::make_unique<ThreadedPlanner>(
@@ -115,6 +91,19 @@ PlannerEntry turningThreads(PlannerEntry entry) {
   };
   return entry;
 }
+
+Diagnostic unknownPlanner(const std::string& id, const Message& advice) {
+  if (id.starts_with(kPeerPrefix)) {
+    return {ErrorKind::Usage,
+            "",
+            "",
+            {GLISSADE_TEXT("'%1' is a planner for comparison, which only glissade-cli has"), {id}},
+            GLISSADE_TEXT("Run it with 'glissade-cli plan', 'replay' or 'study', or choose another strategy.")};
+  }
+  return {ErrorKind::Usage, "", "", {GLISSADE_TEXT("there is no planner '%1'"), {id}}, advice};
+}
+
+namespace {
 
 PlannerRegistry allWholePlanners() {
   PlannerRegistry registry;
@@ -169,7 +158,6 @@ PlannerRegistry allWholePlanners() {
                                "it fits best, and takes the next best way where one fails.")));
   registry.add(multiLayer("own", GLISSADE_TEXT("Places: own rules"), GLISSADE_TEXT("The rules of the scenario.")));
   addOmplPlanners(registry);
-  addPeers(registry);
   return registry;
 }
 
@@ -178,7 +166,7 @@ PlannerRegistry allWholePlanners() {
 PlannerRegistry makePlannerRegistry() {
   PlannerRegistry registry;
   const PlannerRegistry plain = allWholePlanners();
-  for (const PlannerEntry& entry : plain.entries()) registry.add(turningThreads(entry));
+  for (const PlannerEntry& entry : plain.entries()) registry.add(withScrewMotions(entry));
   return registry;
 }
 

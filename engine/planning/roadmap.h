@@ -6,12 +6,14 @@
 #include <memory>
 #include <vector>
 
+#include "engine/base/enum_names.h"
 #include "engine/geometry/pose.h"
 
 namespace glissade {
 
 /// Author of the configuration from which a node was grown.
 enum class Author : std::uint8_t { Computer, Operator, Contact };
+inline constexpr EnumNames<Author, 3> kAuthorNames{{"computer", "operator", "contact"}};
 
 /// One value for each Author.
 template <class T>

@@ -1,7 +1,6 @@
 #include "engine/product/contact_report.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <utility>
 
@@ -9,15 +8,6 @@
 
 namespace glissade {
 namespace {
-
-constexpr std::array<std::pair<ContactKind, const char*>, 8> kKindNames{{{ContactKind::Clearance, "clearance"},
-                                                                         {ContactKind::Planar, "planar"},
-                                                                         {ContactKind::Cylindrical, "cylindrical"},
-                                                                         {ContactKind::Thread, "thread"},
-                                                                         {ContactKind::Press, "press"},
-                                                                         {ContactKind::Overlap, "overlap"},
-                                                                         {ContactKind::Contact, "contact"},
-                                                                         {ContactKind::Clash, "clash"}}};
 
 /// Share of all pairs of `bodies` bodies that comes before the pairs of this body.
 double shareOfPairs(std::size_t body, std::size_t bodies) {
@@ -87,20 +77,6 @@ ContactReport findContacts(const std::vector<ContactBody>& bodies, const Contact
     }
   }
   return report;
-}
-
-const char* kindName(ContactKind kind) {
-  for (const auto& [each, name] : kKindNames) {
-    if (each == kind) return name;
-  }
-  return "";
-}
-
-std::optional<ContactKind> kindByName(const std::string& name) {
-  for (const auto& [kind, each] : kKindNames) {
-    if (name == each) return kind;
-  }
-  return std::nullopt;
 }
 
 }  // namespace glissade

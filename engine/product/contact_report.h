@@ -60,8 +60,4 @@ struct ContactLimits {
 ContactReport findContacts(const std::vector<ContactBody>& bodies, const ContactLimits& limits = {},
                            const WorkWatch& watch = {});
 
-/// "planar", "thread", ...
-const char* kindName(ContactKind kind);
-std::optional<ContactKind> kindByName(const std::string& name);
-
 }  // namespace glissade

@@ -510,14 +510,6 @@ std::optional<Designation> readDesignation(const std::string& name, bool* isUnkn
 
 }  // namespace
 
-CatalogueText standardPartName(StandardPart part) {
-  constexpr std::array<CatalogueText, 10> kNames{
-      GLISSADE_TEXT("screw"),  GLISSADE_TEXT("set screw"), GLISSADE_TEXT("nut"),     GLISSADE_TEXT("washer"),
-      GLISSADE_TEXT("insert"), GLISSADE_TEXT("pin"),       GLISSADE_TEXT("bearing"), GLISSADE_TEXT("retaining ring"),
-      GLISSADE_TEXT("belt"),   GLISSADE_TEXT("seal")};
-  return kNames[static_cast<std::size_t>(part)];
-}
-
 std::optional<Designation> designationIn(const std::string& name) {
   bool isUnknown = false;
   return readDesignation(name.substr(0, kLongestName), &isUnknown);

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/base/enum_names.h"
 #include "engine/base/result.h"
 #include "engine/product/joint.h"
 
@@ -11,8 +12,12 @@ namespace glissade {
 /// Kinds of standard parts.
 enum class StandardPart { Screw, SetScrew, Nut, Washer, Insert, Pin, Bearing, Ring, Belt, Seal };
 
-/// "screw", "set screw", "nut", ... for people.
-CatalogueText standardPartName(StandardPart part);
+/// Names for people.
+inline constexpr EnumNames<StandardPart, 10> kStandardPartNames{
+    {GLISSADE_TEXT("screw").english, GLISSADE_TEXT("set screw").english, GLISSADE_TEXT("nut").english,
+     GLISSADE_TEXT("washer").english, GLISSADE_TEXT("insert").english, GLISSADE_TEXT("pin").english,
+     GLISSADE_TEXT("bearing").english, GLISSADE_TEXT("retaining ring").english, GLISSADE_TEXT("belt").english,
+     GLISSADE_TEXT("seal").english}};
 
 /// A standard part as a name states it: "ISO 4762 M3x8", "M3x8 SHCS", "608ZZ".
 struct Designation {

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/enum_names.h"
+
 namespace glissade {
 
 /// The relation of a pair of bodies that are near each other in the assembled configuration.
@@ -17,6 +19,9 @@ enum class ContactKind {
   Contact,      ///< any other contact
   Clash         ///< an overlap too large to be as designed
 };
+
+inline constexpr EnumNames<ContactKind, 8> kContactKindNames{
+    {"clearance", "planar", "cylindrical", "thread", "press", "overlap", "contact", "clash"}};
 
 /// A person's statement about the fit of two bodies, named by id.
 struct FitEdit {

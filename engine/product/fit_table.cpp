@@ -46,16 +46,6 @@ class PartCount {
 
 }  // namespace
 
-const char* statusName(FitStatus status) {
-  switch (status) {
-    case FitStatus::Clear: return "clear";
-    case FitStatus::Allowed: return "allowed";
-    case FitStatus::Accepted: return "accepted";
-    case FitStatus::Clash: break;
-  }
-  return "clash";
-}
-
 double PairWay::allowance() const {
   double most = 0.0;
   for (const Fit& fit : taken) most = std::max(most, fit.allowance);
@@ -161,7 +151,7 @@ Warnings warningsOfPlainOverlaps(const std::vector<PairFit>& fits) {
 
 std::map<std::string, int> countsByKind(const std::vector<PairFit>& fits) {
   std::map<std::string, int> counts;
-  for (const PairFit& fit : fits) ++counts[kindName(fit.contact.kind)];
+  for (const PairFit& fit : fits) ++counts[kContactKindNames.of(fit.contact.kind)];
   return counts;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/enum_names.h"
 #include "engine/base/message.h"
 #include "engine/base/thread_team.h"
 #include "engine/product/object_fits.h"
@@ -19,8 +20,7 @@ enum class FitStatus {
   Clash      ///< an overlap that blocks every motion of either body
 };
 
-/// "clear", "allowed", "accepted" or "clash".
-const char* statusName(FitStatus status);
+inline constexpr EnumNames<FitStatus, 4> kFitStatusNames{{"clear", "allowed", "accepted", "clash"}};
 
 /// The shapes of a pair while one of its bodies moves past the other.
 struct PairWay {

@@ -17,7 +17,7 @@ check::FitWords wordsOf(const FitSettings& settings) {
   check::FitWords words{settings.on, settings.acceptedClash, {}};
   for (const FitEdit& edit : settings.pairs) {
     check::PairWord word{edit.a, edit.b};
-    if (edit.kind) word.kind = kindName(*edit.kind);
+    if (edit.kind) word.kind = kContactKindNames.of(*edit.kind);
     word.allowance = edit.allowance;
     word.accepted = edit.accepted;
     word.pitch = edit.pitch;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/enum_names.h"
 #include "engine/base/message.h"
 #include "engine/geometry/pose.h"
 
@@ -23,9 +24,8 @@ enum class JointKind {
   Unit        ///< bodies of one assembly that are not taken apart
 };
 
-/// "screw", "nut", "thread", "insert", "pin", "snap", "flexible", "permanent", "unit".
-const char* jointName(JointKind kind);
-std::optional<JointKind> jointByName(const std::string& name);
+inline constexpr EnumNames<JointKind, 9> kJointKindNames{
+    {"screw", "nut", "thread", "insert", "pin", "snap", "flexible", "permanent", "unit"}};
 /// True if the joint has a thread and comes apart by turning only.
 bool isScrewed(JointKind kind);
 
@@ -36,16 +36,12 @@ enum class JointState {
   Confirmed    ///< a person states it
 };
 
-/// "recognised", "suggested", "confirmed".
-const char* jointStateName(JointState state);
-std::optional<JointState> jointStateByName(const std::string& name);
+inline constexpr EnumNames<JointState, 3> kJointStateNames{{"recognised", "suggested", "confirmed"}};
 
 /// The feature of a fastener by which a tool turns it.
 enum class DriveKind { None, HexOutside, HexSocket, Cross, Slot, SixLobe };
 
-/// "hex", "hex_socket", "cross", "slot", "six_lobe" or "none".
-const char* driveName(DriveKind kind);
-std::optional<DriveKind> driveByName(const std::string& name);
+inline constexpr EnumNames<DriveKind, 6> kDriveNames{{"none", "hex", "hex_socket", "cross", "slot", "six_lobe"}};
 
 /// The thread of a fastener, and how far it turns.
 struct JointThread {

@@ -77,7 +77,7 @@ void addDrive(const Designation& said, Joint& joint) {
   }
   if (joint.drive != said.drive) {
     doubt(joint, {GLISSADE_TEXT("the name says the drive '%1', the shape is '%2'"),
-                  {driveName(said.drive), driveName(joint.drive)}});
+                  {kDriveNames.of(said.drive), kDriveNames.of(joint.drive)}});
   } else if (said.driveSize > 0.0 && joint.driveSize > 0.0 &&
              std::abs(joint.driveSize - said.driveSize) > kSameDriveSize * said.driveSize) {
     doubt(joint, {GLISSADE_TEXT("the name says a drive of %1, the shape has %2"),
@@ -88,7 +88,7 @@ void addDrive(const Designation& said, Joint& joint) {
 /// Adds the designation of the body's name.
 void addDesignation(const Designation& said, Joint& joint) {
   if (!agrees(said.part, joint.kind)) {
-    doubt(joint, {GLISSADE_TEXT("the name says '%1'"), {standardPartName(said.part)}});
+    doubt(joint, {GLISSADE_TEXT("the name says '%1'"), {CatalogueText{kStandardPartNames.of(said.part)}}});
     return;
   }
   // A word such as "screw" is evidence, but no designation.

@@ -14,10 +14,7 @@ BodyClass readBodyClass(const JsonCursor& at) {
   BodyClass read{at.at("name").nonEmptyText()};
   if (const auto of = at.find("of")) read.of = of->nonEmptyText();
   if (const auto label = at.find("label")) read.label = label->text();
-  if (const auto fastener = at.find("fastener")) {
-    read.fastener = fastener->text();
-    if (!fastenerByName(read.fastener)) fastener->fail(GLISSADE_TEXT("is not screw, nut, washer, pin or none"));
-  }
+  if (const auto fastener = at.find("fastener")) read.fastener = kFastenerNames.of(fastener->named(kFastenerNames));
   read.attributes = readAttributes(at.find("attributes"));
   return read;
 }

@@ -17,7 +17,7 @@ std::string nameOf(const NearestObstacle& nearest, const BodyNames& names) {
 }
 
 Json edgeJson(const EdgeCertificate& edge, const BodyNames& names) {
-  Json json{{"status", statusName(edge.status)},
+  Json json{{"status", kCertificateStatusNames.of(edge.status)},
             {"required_m", edge.demand.clearance},
             {"sliding", edge.demand.sliding},
             {"proved_clearance_m", number(edge.provedClearance)},
@@ -33,17 +33,8 @@ Json edgeJson(const EdgeCertificate& edge, const BodyNames& names) {
 
 }  // namespace
 
-const char* statusName(CertificateStatus status) {
-  switch (status) {
-    case CertificateStatus::Certified: return "certified";
-    case CertificateStatus::Violated: return "violated";
-    case CertificateStatus::Undecided: return "undecided";
-  }
-  return "";
-}
-
 Json certificateJson(const MotionCertificate& certificate, const BodyNames& names) {
-  Json json{{"status", statusName(certificate.status)},
+  Json json{{"status", kCertificateStatusNames.of(certificate.status)},
             {"min_clearance_m", number(certificate.minClearance)},
             {"proved_clearance_m", number(certificate.provedClearance)},
             {"tolerance_m", certificate.tolerance},

@@ -4,6 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "engine/base/enum_names.h"
 #include "engine/collision/motion_certificate.h"
 
 namespace glissade {
@@ -11,7 +12,8 @@ namespace glissade {
 /// Names of bodies in a report, by the index in the world's obstacles, which is never -1.
 using BodyNames = std::function<std::string(int)>;
 
-const char* statusName(CertificateStatus status);
+inline constexpr EnumNames<CertificateStatus, 3> kCertificateStatusNames{{"certified", "violated", "undecided"}};
+
 /// A certificate with its worst edge; lengths in metres, null where no obstacle is near.
 nlohmann::ordered_json certificateJson(const MotionCertificate& certificate, const BodyNames& names);
 /// Every edge: the interval of its smallest clearance, its place, the nearest points, and the obstacle.

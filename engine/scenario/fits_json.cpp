@@ -17,9 +17,10 @@ double readAllowance(const JsonCursor& at) {
 }
 
 ContactKind readKind(const JsonCursor& at) {
-  const auto kind = kindByName(at.text());
+  const auto kind = kContactKindNames.find(at.text());
   if (!kind || *kind == ContactKind::Clearance) {
-    at.fail(GLISSADE_TEXT("is not a kind of fit"), GLISSADE_TEXT("Give planar, cylindrical, thread, press, overlap, contact or clash."));
+    at.fail(GLISSADE_TEXT("is not a kind of fit"),
+            GLISSADE_TEXT("Give planar, cylindrical, thread, press, overlap, contact or clash."));
   }
   return *kind;
 }
@@ -27,7 +28,8 @@ ContactKind readKind(const JsonCursor& at) {
 /// Throws JsonError where a pair that is no thread has values of threads, which would have no effect.
 void demandThread(const JsonCursor& at, const FitEdit& pair) {
   if (pair.kind == ContactKind::Thread) return;
-  at.fail(GLISSADE_TEXT("has no effect, because the pair is not marked as a thread"), GLISSADE_TEXT("Add \"kind\": \"thread\", or remove it."));
+  at.fail(GLISSADE_TEXT("has no effect, because the pair is not marked as a thread"),
+          GLISSADE_TEXT("Add \"kind\": \"thread\", or remove it."));
 }
 
 double readPitch(const JsonCursor& at, const FitEdit& pair) {
@@ -36,7 +38,8 @@ double readPitch(const JsonCursor& at, const FitEdit& pair) {
   constexpr double kLeastPitch = 1e-5;
   constexpr double kMostPitch = 1.0;
   if (!(std::abs(value) >= kLeastPitch && std::abs(value) <= kMostPitch)) {
-    at.fail(GLISSADE_TEXT("is not a pitch"), GLISSADE_TEXT("Give metres a turn, from 0.00001 to 1; below zero for a left-handed thread."));
+    at.fail(GLISSADE_TEXT("is not a pitch"),
+            GLISSADE_TEXT("Give metres a turn, from 0.00001 to 1; below zero for a left-handed thread."));
   }
   demandThread(at, pair);
   return value;
@@ -44,7 +47,8 @@ double readPitch(const JsonCursor& at, const FitEdit& pair) {
 
 std::string readTurned(const JsonCursor& at, const FitEdit& pair) {
   std::string id = at.text();
-  if (id != pair.a && id != pair.b) at.fail(GLISSADE_TEXT("is neither of the two bodies"), GLISSADE_TEXT("Name the body that is turned."));
+  if (id != pair.a && id != pair.b)
+    at.fail(GLISSADE_TEXT("is neither of the two bodies"), GLISSADE_TEXT("Name the body that is turned."));
   demandThread(at, pair);
   return id;
 }
@@ -69,7 +73,7 @@ bool isSamePair(const FitEdit& one, const FitEdit& other) {
 
 Json toJson(const FitEdit& edit) {
   Json json{{"a", edit.a}, {"b", edit.b}};
-  if (edit.kind) json["kind"] = kindName(*edit.kind);
+  if (edit.kind) json["kind"] = kContactKindNames.of(*edit.kind);
   if (edit.allowance) json["allowance"] = *edit.allowance;
   if (edit.accepted) json["accepted"] = true;
   if (edit.pitch) json["pitch_m"] = *edit.pitch;
@@ -94,7 +98,8 @@ FitSettings readFits(const JsonCursor& at) {
   for (std::size_t i = 0; pairs && i < pairs->sizeUpTo(limits::kMostBodies); ++i) {
     const FitEdit edit = readPair(pairs->element(i));
     for (const FitEdit& earlier : fits.pairs) {
-      if (isSamePair(earlier, edit)) pairs->element(i).fail(GLISSADE_TEXT("is about a pair that was there before"), GLISSADE_TEXT("Remove one."));
+      if (isSamePair(earlier, edit))
+        pairs->element(i).fail(GLISSADE_TEXT("is about a pair that was there before"), GLISSADE_TEXT("Remove one."));
     }
     fits.pairs.push_back(edit);
   }

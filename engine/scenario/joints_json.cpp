@@ -13,21 +13,6 @@ using Json = JsonCursor::Json;
 
 constexpr EnumNames<JointEdit::Word, 4> kWordNames{{"confirmed", "dissolved", "pressed_out", "opened"}};
 
-JointEdit::Word readWord(const JsonCursor& at) {
-  if (const auto word = kWordNames.find(at.text())) return *word;
-  at.fail(GLISSADE_TEXT("is no word about a joint"),
-          GLISSADE_TEXT("Give confirmed, dissolved, pressed_out or opened."));
-}
-
-JointKind readJointKind(const JsonCursor& at) {
-  const auto kind = jointByName(at.text());
-  if (!kind) {
-    at.fail(GLISSADE_TEXT("is not a kind of joint"),
-            GLISSADE_TEXT("Give screw, nut, thread, insert, pin, snap, flexible, permanent or unit."));
-  }
-  return *kind;
-}
-
 std::vector<std::string> readIds(const std::optional<JsonCursor>& at) {
   std::vector<std::string> ids;
   if (!at) return ids;
@@ -78,13 +63,7 @@ Joint readMade(const JsonCursor& at, JointKind kind, std::vector<std::string>* c
   if (const auto point = at.find("point")) joint.point = readVector(*point);
   if (const auto direction = at.find("direction")) joint.direction = readDirection(*direction);
   if (const auto thread = at.find("thread")) joint.thread = readThread(*thread);
-  if (const auto drive = at.find("drive")) {
-    const auto known = driveByName(drive->text());
-    if (!known)
-      drive->fail(GLISSADE_TEXT("is not a drive"),
-                  GLISSADE_TEXT("Give hex, hex_socket, cross, slot, six_lobe or none."));
-    joint.drive = *known;
-  }
+  if (const auto drive = at.find("drive")) joint.drive = drive->named(kDriveNames);
   if (const auto size = at.find("drive_size_m")) joint.driveSize = readNotNegative(*size);
   if (const auto bend = at.find("bend_m")) joint.bend = readNotNegative(*bend);
   if (const auto said = at.find("designation")) joint.designation = said->nonEmptyText();
@@ -94,10 +73,10 @@ Joint readMade(const JsonCursor& at, JointKind kind, std::vector<std::string>* c
 JointEdit readJointEdit(const JsonCursor& at) {
   at.allowOnly({"kind", "body", "others", "word", "made"});
   JointEdit edit;
-  edit.key.kind = readJointKind(at.at("kind"));
+  edit.key.kind = at.at("kind").named(kJointKindNames);
   edit.key.body = at.at("body").nonEmptyText();
   edit.key.others = readIds(at.find("others"));
-  edit.word = readWord(at.at("word"));
+  edit.word = at.at("word").named(kWordNames);
   if (const auto made = at.find("made")) {
     if (edit.word != JointEdit::Word::Confirmed) {
       made->fail(GLISSADE_TEXT("has no effect, because the joint is not confirmed"),
@@ -115,12 +94,12 @@ Json threadJson(const JointThread& thread) {
 }
 
 void addDrive(const Joint& joint, Json& json) {
-  if (joint.drive != DriveKind::None) json["drive"] = driveName(joint.drive);
+  if (joint.drive != DriveKind::None) json["drive"] = kDriveNames.of(joint.drive);
   if (joint.driveSize > 0.0) json["drive_size_m"] = joint.driveSize;
 }
 
 Json toJson(const JointEdit& edit) {
-  Json json{{"kind", jointName(edit.key.kind)}, {"body", edit.key.body}};
+  Json json{{"kind", kJointKindNames.of(edit.key.kind)}, {"body", edit.key.body}};
   if (!edit.key.others.empty()) json["others"] = edit.key.others;
   json["word"] = kWordNames.of(edit.word);
   if (!edit.made) return json;
@@ -165,12 +144,9 @@ void addJointEdits(const std::vector<JointEdit>& edits, Json& json) {
 }
 
 Json toJson(const Joint& joint, const AssembledProduct& product) {
-  Json json{{"kind", jointName(joint.kind)},
-            {"state", jointStateName(joint.state)},
-            {"body", product.bodies[joint.body].id},
-            {"others", idsJson(joint.others, product)},
-            {"clamped", idsJson(joint.clamped, product)},
-            {"point", toJson(joint.point)},
+  Json json{{"kind", kJointKindNames.of(joint.kind)},     {"state", kJointStateNames.of(joint.state)},
+            {"body", product.bodies[joint.body].id},      {"others", idsJson(joint.others, product)},
+            {"clamped", idsJson(joint.clamped, product)}, {"point", toJson(joint.point)},
             {"direction", toJson(joint.direction)}};
   if (joint.thread) {
     json["thread"] = threadJson(*joint.thread);

@@ -5,7 +5,6 @@
 #include "engine/product/fit_thread.h"
 #include "engine/product/fit_words.h"
 #include "engine/product/joint_edits.h"
-#include "engine/scenario/plan_names.h"
 #include "engine/scenario/scenario_fits.h"
 
 namespace glissade {
@@ -31,8 +30,8 @@ check::Demands judgedDemands(const SequenceDemands& demands) {
 }
 
 check::StatedJoint judgedJoint(const StepJoint& joint) {
-  check::StatedJoint judged{jointName(joint.kind), joint.body, joint.others};
-  if (joint.drive != DriveKind::None) judged.drive = driveName(joint.drive);
+  check::StatedJoint judged{kJointKindNames.of(joint.kind), joint.body, joint.others};
+  if (joint.drive != DriveKind::None) judged.drive = kDriveNames.of(joint.drive);
   judged.isNamed = !joint.designation.empty();
   if (joint.driveSize > 0.0) judged.driveSize = joint.driveSize;
   if (joint.bend > 0.0) judged.bend = joint.bend;

@@ -3,7 +3,6 @@
 #include <set>
 
 #include "engine/geometry/pose_json.h"
-#include "engine/scenario/author_names.h"
 
 namespace glissade {
 namespace {
@@ -12,20 +11,14 @@ using Json = JsonCursor::Json;
 
 constexpr std::size_t kMostKeptPaths = 1000;
 
-Author readAuthor(const JsonCursor& at) {
-  const auto author = kAuthorNames.find(at.text());
-  if (!author) at.fail(GLISSADE_TEXT("is not computer, operator or contact"));
-  return *author;
-}
-
 PathPoint readPoint(const JsonCursor& at) {
   at.allowOnly({"position", "orientation", "author", "segment_author"});
   const Json pose{{"position", at.at("position").json()}, {"orientation", at.at("orientation").json()}};
   PathPoint point;
   point.q = readPose(JsonCursor(pose, at.file(), at.pointer()));
-  if (const auto author = at.find("author")) point.author = readAuthor(*author);
+  if (const auto author = at.find("author")) point.author = author->named(kAuthorNames);
   point.segmentAuthor = point.author;
-  if (const auto author = at.find("segment_author")) point.segmentAuthor = readAuthor(*author);
+  if (const auto author = at.find("segment_author")) point.segmentAuthor = author->named(kAuthorNames);
   return point;
 }
 
@@ -107,7 +100,8 @@ KeptPaths readKeptPaths(const JsonCursor& at) {
     const JsonCursor element = at.element(i);
     auto path = std::make_shared<const KeptPath>(readKeptPath(element));
     if (!names.insert(path->name).second) {
-      element.at("name").fail(GLISSADE_TEXT("is the name of a path before it"), GLISSADE_TEXT("Give every path a name of its own."));
+      element.at("name").fail(GLISSADE_TEXT("is the name of a path before it"),
+                              GLISSADE_TEXT("Give every path a name of its own."));
     }
     paths.push_back(std::move(path));
   }

@@ -11,7 +11,6 @@
 #include "engine/base/tolerances.h"
 #include "engine/geometry/pose_json.h"
 #include "engine/import/json_checksum.h"
-#include "engine/scenario/author_names.h"
 #include "engine/scenario/path_exporter.h"
 #include "engine/scenario/path_reader.h"
 
@@ -133,9 +132,7 @@ Result<std::vector<PathPoint>> readJsonPath(const std::string& text, const std::
       JsonCursor::Json pose{{"position", at.at("position").json()}, {"orientation", at.at("orientation").json()}};
       PathPoint point;
       point.q = readPose(JsonCursor(pose, file, "/configurations/" + std::to_string(i)));
-      const auto author = kAuthorNames.find(at.at("author").text());
-      if (!author) at.at("author").fail(GLISSADE_TEXT("is not computer, operator or contact"));
-      point.author = *author;
+      point.author = at.at("author").named(kAuthorNames);
       points.push_back(point);
     }
     if (points.empty()) list.fail(GLISSADE_TEXT("is empty"), GLISSADE_TEXT("Give a path."));

@@ -7,7 +7,6 @@
 #include "engine/geometry/pose_json.h"
 #include "engine/import/json_checksum.h"
 #include "engine/import/missing_shapes_json.h"
-#include "engine/scenario/author_names.h"
 #include "engine/scenario/certificate_json.h"
 #include "engine/scenario/product_name.h"
 #include "engine/scenario/scenario_fits.h"

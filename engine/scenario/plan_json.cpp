@@ -14,7 +14,6 @@
 #include "engine/check/stated_json.h"
 #include "engine/product/contact_report.h"
 #include "engine/scenario/plan_file.h"
-#include "engine/scenario/plan_names.h"
 #include "engine/scenario/scenario_fits.h"
 #include "engine/scenario/sequence_json.h"
 #include "engine/sequence/subassembly_lines.h"
@@ -53,7 +52,7 @@ Json toJson(const check::Evidence& evidence) {
 
 Json toJson(const StepAllowance& allowance) {
   Json json{{"body", allowance.body},
-            {"kind", kindName(allowance.kind)},
+            {"kind", kContactKindNames.of(allowance.kind)},
             {"overlap_m", allowance.overlap},
             {"allowance_m", allowance.allowance},
             {"text", toString(allowance.text)}};
@@ -71,17 +70,17 @@ Json toJson(const StepAllowance& allowance) {
 constexpr EnumNames<ToolAccess, 3> kAccessNames{{"not_asked", "free", "blocked"}};
 
 Json toJson(const StepTool& tool) {
-  Json json{{"kind", toolName(tool.kind)}, {"access", kAccessNames.of(tool.access)}};
+  Json json{{"kind", kToolNames.of(tool.kind)}, {"access", kAccessNames.of(tool.access)}};
   if (!tool.blockedBy.empty()) json["blocked_by"] = tool.blockedBy;
   if (!tool.turned.empty()) json["turned"] = tool.turned;
   return json;
 }
 
 Json toJson(const StepJoint& joint) {
-  Json json{{"kind", jointName(joint.kind)}, {"body", joint.body}, {"others", joint.others}};
+  Json json{{"kind", kJointKindNames.of(joint.kind)}, {"body", joint.body}, {"others", joint.others}};
   if (!joint.clamped.empty()) json["clamped"] = joint.clamped;
   if (!joint.designation.empty()) json["designation"] = joint.designation;
-  if (joint.drive != DriveKind::None) json["drive"] = driveName(joint.drive);
+  if (joint.drive != DriveKind::None) json["drive"] = kDriveNames.of(joint.drive);
   if (joint.driveSize > 0.0) json["drive_size_m"] = joint.driveSize;
   if (joint.bend > 0.0) json["bend_m"] = joint.bend;
   if (joint.pitch == 0.0) return json;
@@ -100,7 +99,7 @@ Json toJson(const AssemblyStep& step) {
             {"certificate", toJson(step.proof, step.certified)},
             {"allowances", Json::array()}};
   if (!step.falling.empty()) json["falling"] = step.falling;
-  if (step.fastener != FastenerKind::None) json["fastener"] = fastenerName(step.fastener);
+  if (step.fastener != FastenerKind::None) json["fastener"] = kFastenerNames.of(step.fastener);
   if (step.tool.kind != ToolKind::None) json["tool"] = toJson(step.tool);
   for (const StepAllowance& allowance : step.allowances) json["allowances"].push_back(toJson(allowance));
   json["path"] = motionJson(step.path);
@@ -158,7 +157,7 @@ class PlanReader {
     plan_.seed = at.at("seed").wholeNumber();
     if (const auto demands = at.find("sequence")) plan_.demands = readSequence(*demands);
     if (const auto deflection = at.find("deflection_m")) plan_.deflection = readLength(*deflection);
-    plan_.end = readEnd(at.at("end"));
+    plan_.end = at.at("end").named(kPlanEndNames);
     readBodies(at.at("bodies"));
     plan_.staying = readIds(at.at("staying"));
     for (std::size_t i = 0; i < plan_.staying.size(); ++i) {
@@ -189,11 +188,6 @@ class PlanReader {
   }
 
  private:
-  static PlanEnd readEnd(const JsonCursor& at) {
-    if (const auto end = kPlanEndNames.find(at.text())) return *end;
-    at.fail(GLISSADE_TEXT("is not complete, stuck, time_limit or interrupted"));
-  }
-
   void readBodies(const JsonCursor& at) {
     for (std::size_t i = 0; i < at.sizeUpTo(limits::kMostBodies); ++i) {
       plan_.bodies.push_back(at.element(i).nonEmptyText());
@@ -241,11 +235,7 @@ class PlanReader {
     step.body = ids.front();
     step.with.assign(ids.begin() + 1, ids.end());
     step.after = readPredecessors(at);
-    if (const auto fastener = at.find("fastener")) {
-      const auto kind = fastenerByName(fastener->text());
-      if (!kind) fastener->fail(GLISSADE_TEXT("is not screw, nut, washer, pin or none"));
-      step.fastener = *kind;
-    }
+    if (const auto fastener = at.find("fastener")) step.fastener = fastener->named(kFastenerNames);
     if (const auto tool = at.find("tool")) step.tool = readTool(*tool);
     step.method = at.at("method").text();
     if (const auto falling = at.find("falling")) step.falling = readIds(*falling);
@@ -272,19 +262,12 @@ class PlanReader {
 
   StepViolation readViolation(const JsonCursor& at) const {
     at.allowOnly({"rule", "bodies"});
-    const auto rule = kRuleNames.find(at.at("rule").text());
-    if (!rule) at.at("rule").fail(GLISSADE_TEXT("is not before, fastener, standing, place or joint"));
-    return {*rule, readIds(at.at("bodies"))};
+    return {at.at("rule").named(kRuleNames), readIds(at.at("bodies"))};
   }
 
   StepTool readTool(const JsonCursor& at) const {
     at.allowOnly({"kind", "access", "blocked_by", "turned"});
-    const auto kind = toolByName(at.at("kind").text());
-    if (!kind) at.at("kind").fail(GLISSADE_TEXT("is not hex_key, socket, screwdriver, open_wrench or none"));
-    StepTool tool{*kind};
-    const auto access = kAccessNames.find(at.at("access").text());
-    if (!access) at.at("access").fail(GLISSADE_TEXT("is not not_asked, free or blocked"));
-    tool.access = *access;
+    StepTool tool{at.at("kind").named(kToolNames), at.at("access").named(kAccessNames)};
     if (const auto blockers = at.find("blocked_by")) tool.blockedBy = readIds(*blockers);
     if (const auto turned = at.find("turned")) tool.turned = readId(*turned);
     return tool;
@@ -312,16 +295,10 @@ class PlanReader {
   StepJoint readJoint(const JsonCursor& at) const {
     at.allowOnly({"kind", "body", "others", "clamped", "designation", "drive", "drive_size_m", "bend_m", "diameter_m",
                   "pitch_m", "pitch_stated", "turns"});
-    const auto kind = jointByName(at.at("kind").text());
-    if (!kind) at.at("kind").fail(GLISSADE_TEXT("is not a kind of joint"));
-    StepJoint joint{*kind, readId(at.at("body")), readIds(at.at("others"))};
+    StepJoint joint{at.at("kind").named(kJointKindNames), readId(at.at("body")), readIds(at.at("others"))};
     if (const auto clamped = at.find("clamped")) joint.clamped = readIds(*clamped);
     if (const auto designation = at.find("designation")) joint.designation = designation->text();
-    if (const auto drive = at.find("drive")) {
-      const auto known = driveByName(drive->text());
-      if (!known) drive->fail(GLISSADE_TEXT("is not a kind of drive"));
-      joint.drive = *known;
-    }
+    if (const auto drive = at.find("drive")) joint.drive = drive->named(kDriveNames);
     if (const auto size = at.find("drive_size_m")) joint.driveSize = readLength(*size);
     if (const auto bend = at.find("bend_m")) joint.bend = readLength(*bend);
     if (const auto diameter = at.find("diameter_m")) joint.diameter = readLength(*diameter);
@@ -354,10 +331,9 @@ class PlanReader {
   StepAllowance readAllowance(const JsonCursor& at) const {
     at.allowOnly({"body", "kind", "overlap_m", "allowance_m", "text", "moving", "yields", "hollow", "core", "evidence",
                   "pitch_m", "turns"});
-    const auto kind = kindByName(at.at("kind").text());
-    if (!kind) at.at("kind").fail(GLISSADE_TEXT("is not a kind of fit"));
-    StepAllowance allowance{readId(at.at("body")), *kind, readLength(at.at("overlap_m")),
-                            readLength(at.at("allowance_m")), Message(at.at("text").text())};
+    StepAllowance allowance{readId(at.at("body")), at.at("kind").named(kContactKindNames),
+                            readLength(at.at("overlap_m")), readLength(at.at("allowance_m")),
+                            Message(at.at("text").text())};
     if (const auto moving = at.find("moving")) allowance.moving = readId(*moving);
     if (const auto yields = at.find("yields")) allowance.yields = yields->boolean();
     if (const auto hollow = at.find("hollow")) allowance.hollow = hollow->boolean();

@@ -190,7 +190,7 @@ bool isJournal(const std::string& text) { return text.rfind(kFirst, 0) == 0; }
 Result<Json> mergedJournal(const std::string& text, const std::string& file, const WorkWatch& watch) {
   JournalMerger merger(file);
   for (std::size_t begin = 0; begin < text.size();) {
-    if (watch.stop.stopRequested()) return notReadToItsEnd(file);
+    if (watch.stop.stopRequested()) return readingStopped(file);
     watch.report(static_cast<double>(begin) / static_cast<double>(text.size()));
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     const Outcome added = merger.add(text.substr(begin, end - begin), watch.stop);

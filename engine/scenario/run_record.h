@@ -8,6 +8,7 @@
 #include "engine/base/file_save.h"
 #include "engine/base/work_watch.h"
 #include "engine/operator/run_log.h"
+#include "engine/planning/planner.h"
 #include "engine/scenario/scenario.h"
 
 namespace glissade {
@@ -56,8 +57,9 @@ Result<RunRecord> readRunRecord(const std::string& file, const WorkWatch& watch 
 /// A warning about the lines that a damaged journal has lost; nothing where the record is complete.
 std::optional<Diagnostic> lossWarning(const RunRecord& record, const std::string& file);
 
-/// The record's log for this scenario, with checked parameters and edits. Errors: MalformedInput where the replay would
-/// not be the recorded run, Usage where the scenario is another one.
-Result<RunLog> replayLog(const RunRecord& record, const LoadedScenario& scenario, const std::string& file);
+/// The record's log for this scenario, with checked parameters and edits. `planners`: those that the replay can use.
+/// Errors: MalformedInput where the replay would not be the recorded run, Usage where the scenario is another one.
+Result<RunLog> replayLog(const RunRecord& record, const LoadedScenario& scenario, const std::string& file,
+                         const PlannerRegistry& planners = makePlannerRegistry());
 
 }  // namespace glissade

@@ -68,7 +68,8 @@ Outcome checkSemantics(const RunLog& log, const LoadedScenario& scenario) {
 
 }  // namespace
 
-Result<RunLog> replayLog(const RunRecord& record, const LoadedScenario& scenario, const std::string& file) {
+Result<RunLog> replayLog(const RunRecord& record, const LoadedScenario& scenario, const std::string& file,
+                         const PlannerRegistry& planners) {
   RunLog log = record.log;
   log.start.parameters = ParameterValues(scenario.problem.world->objectRadius());
   // Version 1 had no edits; the edits of the scenario applied.
@@ -79,12 +80,12 @@ Result<RunLog> replayLog(const RunRecord& record, const LoadedScenario& scenario
   };
   const Outcome same = checkScenario(record, scenario, file);
   if (!same) return same.error();
-  if (makePlannerRegistry().find(log.start.planner) == nullptr) {
-    return Diagnostic{ErrorKind::MalformedInput,
-                      file,
-                      "/planner",
-                      {GLISSADE_TEXT("there is no planner '%1'"), {log.start.planner}},
-                      {GLISSADE_TEXT("Replay it with the Glissade that recorded it: %1."), {record.program}}};
+  if (planners.find(log.start.planner) == nullptr) {
+    Diagnostic why = unknownPlanner(
+        log.start.planner, {GLISSADE_TEXT("Replay it with the Glissade that recorded it: %1."), {record.program}});
+    why.kind = ErrorKind::MalformedInput;
+    why.location = "/planner";
+    return refuse(why);
   }
   // Records of earlier versions do not have this parameter; the automatic planner had one slot.
   if (record.parameters.count(ParameterId::Slots) == 0) (void)log.start.parameters.set(ParameterId::Slots, 1.0);

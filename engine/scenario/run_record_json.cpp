@@ -108,7 +108,7 @@ void readStream(const JsonCursor& stream, int version, const WorkWatch& watch, R
   constexpr std::size_t kBetweenLooks = 4096;
   for (std::size_t i = 0; i < stream.size(); ++i) {
     if (i % kBetweenLooks == 0) {
-      if (watch.stop.stopRequested()) throw JsonError{notReadToItsEnd(stream.file())};
+      if (watch.stop.stopRequested()) throw JsonError{readingStopped(stream.file())};
       watch.report(static_cast<double>(i) / static_cast<double>(stream.size()));
     }
     const JsonCursor at = stream.element(i);

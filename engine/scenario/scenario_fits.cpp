@@ -144,7 +144,7 @@ nlohmann::ordered_json allowancesJson(const LoadedScenario& scenario, const std:
     const Fit& fit = scenario.fits.allowed[i];
     list.push_back({{"object", scenario.object.id},
                     {"body", scenario.obstacles[fit.obstacle].id},
-                    {"kind", kindName(fit.kind)},
+                    {"kind", kContactKindNames.of(fit.kind)},
                     {"allowance_m", fit.allowance},
                     {"overlap_m", fit.evidence.overlap},
                     {"deflection_m", fit.evidence.deflection},

@@ -39,11 +39,7 @@ Asset readAsset(const JsonCursor& at) {
   asset.path = at.at("path").exactText();
   if (const auto hash = at.find("sha256")) asset.sha256 = hash->text();
   if (const auto unit = at.find("unit")) asset.unit = unit->length();
-  if (const auto up = at.find("up_axis")) {
-    const std::string axis = up->text();
-    if (axis != "y" && axis != "z") up->fail(GLISSADE_TEXT("is neither \"y\" nor \"z\""));
-    asset.up = axis == "y" ? UpAxis::Y : UpAxis::Z;
-  }
+  if (const auto up = at.find("up_axis")) asset.up = up->named(kUpAxisNames);
   if (const auto deflection = at.find("deflection")) asset.deflection = deflection->length();
   if (const auto close = at.find("close_holes")) asset.closeHoles = close->boolean();
   return asset;
@@ -90,11 +86,7 @@ BodyDescription readDescription(const JsonCursor& at, const std::set<std::string
   BodyDescription body;
   body.id = at.at("id").nonEmptyText();
   body.name = at.has("name") ? at.at("name").text() : body.id;
-  if (const auto mobility = at.find("mobility")) {
-    const auto known = kMobilityNames.find(mobility->text());
-    if (!known) mobility->fail(GLISSADE_TEXT("is neither \"static\" nor \"mobile\""));
-    body.mobility = *known;
-  }
+  if (const auto mobility = at.find("mobility")) body.mobility = mobility->named(kMobilityNames);
   body.geometry = readGeometry(at.at("geometry"), assets);
   if (const auto colour = at.find("colour")) body.colour = readColour(*colour);
   body.attributes = readAttributes(at.find("attributes"));

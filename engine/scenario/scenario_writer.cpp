@@ -21,7 +21,7 @@ Json toJson(const Asset& asset) {
   json["path"] = asset.path;
   if (!asset.sha256.empty()) json["sha256"] = asset.sha256;
   json["unit"] = asset.unit;
-  json["up_axis"] = asset.up == UpAxis::Y ? "y" : "z";
+  json["up_axis"] = kUpAxisNames.of(asset.up);
   if (asset.deflection > 0.0) json["deflection"] = asset.deflection;
   if (asset.closeHoles) json["close_holes"] = true;
   return json;

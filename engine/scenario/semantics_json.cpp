@@ -108,23 +108,13 @@ EnvironmentOptions readEnvironmentOptions(const JsonCursor& at) {
 
 namespace {
 
-AttributeOwner readOwner(const JsonCursor& at) {
-  const auto owner = kAttributeOwnerNames.find(at.text());
-  if (!owner) at.fail(GLISSADE_TEXT("is neither \"place\" nor \"body\""));
-  return *owner;
-}
-
 AttributeDefinition readDefinition(const JsonCursor& at) {
   at.allowOnly({"name", "label", "type", "of", "unit", "minimum", "maximum", "choices", "description", "initial"});
   AttributeDefinition definition;
   definition.name = at.at("name").nonEmptyText();
   definition.label = Message(at.has("label") ? at.at("label").text() : definition.name);
-  const auto type = kAttributeTypeNames.find(at.at("type").text());
-  if (!type)
-    at.at("type").fail(GLISSADE_TEXT("is not a type of attribute"),
-                       GLISSADE_TEXT("Give bool, integer, number, text or choice."));
-  definition.type = *type;
-  definition.owner = readOwner(at.at("of"));
+  definition.type = at.at("type").named(kAttributeTypeNames);
+  definition.owner = at.at("of").named(kAttributeOwnerNames);
   if (const auto unit = at.find("unit")) definition.unit = unit->text();
   if (const auto minimum = at.find("minimum")) definition.minimum = minimum->number();
   if (const auto maximum = at.find("maximum")) definition.maximum = maximum->number();

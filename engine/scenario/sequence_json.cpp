@@ -2,7 +2,6 @@
 
 #include "engine/base/limits.h"
 #include "engine/geometry/pose_json.h"
-#include "engine/scenario/author_names.h"
 #include "engine/scenario/body_classes_json.h"
 #include "engine/scenario/joints_json.h"
 #include "engine/scenario/semantics_json.h"
@@ -50,8 +49,10 @@ void readKnowledge(const JsonCursor& at, SequenceDemands& demands) {
   demands.tools = readPairs(at.find("tools"));
   demands.fasteners = readPairs(at.find("fasteners"));
   for (std::size_t i = 0; i < demands.fasteners.size(); ++i) {
-    if (!fastenerByName(demands.fasteners[i].second)) {
-      at.at("fasteners").element(i).fail(GLISSADE_TEXT("is not a body and screw, nut, washer, pin or none"));
+    if (!kFastenerNames.find(demands.fasteners[i].second)) {
+      at.at("fasteners")
+          .element(i)
+          .fail({GLISSADE_TEXT("names a fastener that is not one of: %1"), {kFastenerNames.listed()}});
     }
   }
   if (const auto cost = at.find("cost")) demands.cost = cost->nonEmptyText();
@@ -127,9 +128,8 @@ std::vector<PathPoint> readMotion(const JsonCursor& at) {
     const JsonCursor point = at.element(i);
     point.allowOnly({"position", "orientation", "author"});
     const SequenceJson pose{{"position", point.at("position").json()}, {"orientation", point.at("orientation").json()}};
-    const auto author = kAuthorNames.find(point.at("author").text());
-    if (!author) point.at("author").fail(GLISSADE_TEXT("is not computer, operator or contact"));
-    path.push_back({readPose(JsonCursor(pose, at.file(), at.pointer() + "/" + std::to_string(i))), *author});
+    path.push_back({readPose(JsonCursor(pose, at.file(), at.pointer() + "/" + std::to_string(i))),
+                    point.at("author").named(kAuthorNames)});
   }
   if (path.empty()) at.fail(GLISSADE_TEXT("is empty"), GLISSADE_TEXT("Give a path."));
   return path;
@@ -166,11 +166,7 @@ SequenceDemands readSequence(const JsonCursor& at) {
     density.allowOnly({"body", "density"});
     demands.densities.emplace_back(density.at("body").nonEmptyText(), density.at("density").positiveNumber());
   }
-  if (const auto use = at.find("joint_use")) {
-    const auto known = jointUseByName(use->text());
-    if (!known) use->fail(GLISSADE_TEXT("is not off, recognised or suggested"));
-    demands.jointUse = *known;
-  }
+  if (const auto use = at.find("joint_use")) demands.jointUse = use->named(kJointUseNames);
   if (const auto joints = at.find("joints")) demands.joints = readJointEdits(*joints);
   readKnowledge(at, demands);
   readSteps(at, demands);
@@ -188,7 +184,7 @@ void addSequence(const SequenceDemands& demands, SequenceJson& json) {
   for (const auto& [body, density] : demands.densities) {
     section["densities"].push_back({{"body", body}, {"density", density}});
   }
-  if (demands.jointUse != SequenceDemands().jointUse) section["joint_use"] = jointUseName(demands.jointUse);
+  if (demands.jointUse != SequenceDemands().jointUse) section["joint_use"] = kJointUseNames.of(demands.jointUse);
   addJointEdits(demands.joints, section);
   addKnowledge(demands, section);
   addSteps(demands, section);

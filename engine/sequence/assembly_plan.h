@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/enum_names.h"
 #include "engine/base/message.h"
 #include "engine/planning/path.h"
 #include "engine/product/fit.h"
@@ -83,6 +84,7 @@ struct StepViolation {
   Rule rule = Rule::Before;
   std::vector<std::string> bodies;  ///< ids
 };
+inline constexpr EnumNames<StepViolation::Rule, 5> kRuleNames{{"before", "fastener", "standing", "place", "joint"}};
 
 /// AssemblyStep::method of a flexible body; its motion is not proved.
 inline constexpr const char* kFlexible = "flexible";
@@ -141,6 +143,7 @@ struct RefusedRemoval {
 
 /// The reason why a plan has ended.
 enum class PlanEnd { Complete, Stuck, TimeLimit, Interrupted };
+inline constexpr EnumNames<PlanEnd, 4> kPlanEndNames{{"complete", "stuck", "time_limit", "interrupted"}};
 
 /// A body that stays because no removal was found.
 struct StuckBody {

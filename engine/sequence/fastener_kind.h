@@ -1,14 +1,11 @@
 #pragma once
 
-#include <optional>
-#include <string>
+#include "engine/base/enum_names.h"
 
 namespace glissade {
 
 enum class FastenerKind { None, Screw, Nut, Washer, Pin };
 
-/// "screw", "nut", "washer", "pin" or "none".
-const char* fastenerName(FastenerKind kind);
-std::optional<FastenerKind> fastenerByName(const std::string& name);
+inline constexpr EnumNames<FastenerKind, 5> kFastenerNames{{"none", "screw", "nut", "washer", "pin"}};
 
 }  // namespace glissade

@@ -8,8 +8,6 @@
 namespace glissade {
 namespace {
 
-constexpr std::array<const char*, 5> kFastenerNames{"none", "screw", "nut", "washer", "pin"};
-
 /// Largest ratio of height to outer diameter of a washer.
 constexpr double kMostWasher = 0.25;
 /// Largest ratio of outer radius to hole radius of a washer.
@@ -89,14 +87,6 @@ double radiusAbove(const TriangleMesh& mesh, const AxisLine& axis, double low) {
 }
 
 }  // namespace
-
-const char* fastenerName(FastenerKind kind) { return kFastenerNames[static_cast<std::size_t>(kind)]; }
-
-std::optional<FastenerKind> fastenerByName(const std::string& name) {
-  const auto found = std::find(kFastenerNames.begin(), kFastenerNames.end(), name);
-  if (found == kFastenerNames.end()) return std::nullopt;
-  return static_cast<FastenerKind>(found - kFastenerNames.begin());
-}
 
 std::vector<FastenerKind> fastenersOf(const ProductShapes& shapes, const std::vector<Contact>& contacts) {
   const Designations said = designationsOf(shapes.product());

@@ -4,14 +4,41 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string>
+#include <vector>
 
-#include "engine/sequence/assemblies_there.h"
 #include "engine/sequence/plan_steps.h"
+#include "engine/sequence/sequence_strategy.h"
 #include "engine/sequence/step_precedence.h"
 #include "engine/sequence/stuck_reasons.h"
 
 namespace glissade {
 namespace {
+
+/// For each assembly of the file, its bodies that are in `present`; the smallest first. Assemblies with one such body,
+/// and those that would cut a unit of the rules, are left out.
+std::vector<BodyGroup> assembliesThere(const SequenceQuestion& question, const BodySet& present) {
+  const Product& tree = question.product.tree;
+  std::map<std::string, std::size_t> numbers;
+  for (const std::size_t body : bodiesIn(present)) numbers.emplace(question.product.bodies[body].id, body);
+  std::set<BodyGroup> assemblies;
+  for (std::size_t node = 0; node < tree.nodes().size(); ++node) {
+    if (tree.nodes()[node].children.empty()) continue;
+    BodyGroup bodies;
+    for (const std::string& id : tree.bodiesBelow(node)) {
+      if (const auto there = numbers.find(id); there != numbers.end()) bodies.push_back(there->second);
+    }
+    std::sort(bodies.begin(), bodies.end());
+    const bool whole = std::all_of(bodies.begin(), bodies.end(), [&](std::size_t body) {
+      const BodyGroup unit = unitOf(body, question.rules);
+      return std::includes(bodies.begin(), bodies.end(), unit.begin(), unit.end());
+    });
+    if (whole && bodies.size() > 1) assemblies.insert(std::move(bodies));
+  }
+  std::vector<BodyGroup> groups(assemblies.begin(), assemblies.end());
+  std::stable_sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  return groups;
+}
 
 /// Number of units that are searched at the same time, whatever the number of threads.
 constexpr std::size_t kSearchedTogether = 4;

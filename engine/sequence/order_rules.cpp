@@ -10,8 +10,6 @@
 namespace glissade {
 namespace {
 
-constexpr std::array<const char*, 3> kJointUseNames{"off", "recognised", "suggested"};
-
 Diagnostic refusedDemand(const Message& reason, const Message& advice) {
   return {ErrorKind::Usage, "", "", reason, advice};
 }
@@ -142,14 +140,6 @@ Outcome checkMotions(const OrderRules& rules, const AssembledProduct& product) {
 }
 
 }  // namespace
-
-const char* jointUseName(JointUse use) { return kJointUseNames[static_cast<std::size_t>(use)]; }
-
-std::optional<JointUse> jointUseByName(const std::string& name) {
-  const auto found = std::find(kJointUseNames.begin(), kJointUseNames.end(), name);
-  if (found == kJointUseNames.end()) return std::nullopt;
-  return static_cast<JointUse>(found - kJointUseNames.begin());
-}
 
 const OrderRules::GivenMotion* OrderRules::motionOf(const BodyGroup& group) const {
   const auto found =

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/enum_names.h"
 #include "engine/base/result.h"
 #include "engine/environment/body_class.h"
 #include "engine/product/joint.h"
@@ -24,9 +25,7 @@ enum class JointUse {
   Suggested    ///< joints that shape, name or class suggest as well
 };
 
-/// "off", "recognised", "suggested".
-const char* jointUseName(JointUse use);
-std::optional<JointUse> jointUseByName(const std::string& name);
+inline constexpr EnumNames<JointUse, 3> kJointUseNames{{"off", "recognised", "suggested"}};
 
 /// Demands of a person on an assembly plan, and facts about its bodies. Bodies by id, or by the end of ids behind a
 /// "/".
@@ -38,7 +37,7 @@ struct SequenceDemands {
   std::vector<std::string> stay{};                               ///< bodies that do not leave
   std::vector<std::pair<std::string, double>> masses{};          ///< kg; by volume and density for other bodies
   std::vector<std::string> fragile{};                            ///< bodies that leave as early as they can
-  std::vector<std::pair<std::string, std::string>> tools{};      ///< tool of each body, see toolName(), or "none"
+  std::vector<std::pair<std::string, std::string>> tools{};      ///< tool of each body, see kToolNames
   std::vector<std::pair<std::string, std::string>> fasteners{};  ///< kind of each body, whatever its shape
   std::string cost{};  ///< cost of a step: an expression or a preset, see step_cost.h; empty: the usual one
   std::map<std::string, Attributes> attributes{};  ///< attributes of bodies by id; costs name them as body.<attribute>

@@ -22,7 +22,7 @@ std::vector<FastenerKind> fastenersKnown(const ProductShapes& shapes, const std:
                                          const SequenceDemands& demands) {
   std::vector<FastenerKind> kinds = fastenersOf(shapes, contacts);
   for (const auto& [name, text] : demands.fasteners) {
-    const auto kind = fastenerByName(text);
+    const auto kind = kFastenerNames.find(text);
     for (const std::size_t body : bodiesNamed(shapes.product(), name)) kinds[body] = kind.value_or(kinds[body]);
   }
   return kinds;

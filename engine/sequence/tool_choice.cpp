@@ -8,7 +8,6 @@
 namespace glissade {
 namespace {
 
-constexpr std::array<const char*, 5> kToolNames{"none", "hex_key", "socket", "screwdriver", "open_wrench"};
 /// Least ratio of head height to shaft radius for a round head to be that of a socket head screw (ISO 4762: 2).
 constexpr double kSocketHead = 1.6;
 
@@ -64,14 +63,6 @@ void addJointTools(const Joints& joints, ToolChoices& choices) {
 
 }  // namespace
 
-const char* toolName(ToolKind kind) { return kToolNames[static_cast<std::size_t>(kind)]; }
-
-std::optional<ToolKind> toolByName(const std::string& name) {
-  const auto found = std::find(kToolNames.begin(), kToolNames.end(), name);
-  if (found == kToolNames.end()) return std::nullopt;
-  return static_cast<ToolKind>(found - kToolNames.begin());
-}
-
 Result<ToolChoices> chooseTools(const ProductShapes& shapes, const std::vector<FastenerKind>& kinds,
                                 const Joints& joints, const SequenceDemands& demands) {
   ToolChoices choices;
@@ -80,13 +71,13 @@ Result<ToolChoices> chooseTools(const ProductShapes& shapes, const std::vector<F
   }
   addJointTools(joints, choices);
   for (const auto& [name, tool] : demands.tools) {
-    const auto kind = toolByName(tool);
+    const auto kind = kToolNames.find(tool);
     if (!kind) {
       return Diagnostic{ErrorKind::Usage,
                         "",
                         "",
                         {GLISSADE_TEXT("'%1' needs the tool '%2', which is unknown"), {name, tool}},
-                        GLISSADE_TEXT("Choose hex_key, socket, screwdriver, open_wrench or none.")};
+                        {GLISSADE_TEXT("Choose one of: %1."), {kToolNames.listed()}}};
     }
     for (const std::size_t body : bodiesNamed(shapes.product(), name)) {
       choices[body] = *kind == ToolKind::None ? std::vector<ToolUse>() : std::vector<ToolUse>{{*kind, body}};

@@ -1,16 +1,12 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
+#include "engine/base/enum_names.h"
 
 namespace glissade {
 
 /// Tools that turn fasteners.
 enum class ToolKind { None, HexKey, Socket, Screwdriver, OpenWrench };
 
-/// "hex_key", "socket", "screwdriver", "open_wrench" or "none".
-const char* toolName(ToolKind kind);
-std::optional<ToolKind> toolByName(const std::string& name);
+inline constexpr EnumNames<ToolKind, 5> kToolNames{{"none", "hex_key", "socket", "screwdriver", "open_wrench"}};
 
 }  // namespace glissade

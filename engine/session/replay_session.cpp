@@ -6,6 +6,7 @@
 
 #include "engine/planning/coarse/scene_knowledge.h"
 #include "engine/session/session_core.h"
+#include "engine/session/session_with_planners.h"
 
 namespace glissade {
 namespace {
@@ -25,9 +26,9 @@ Problem atStart(Problem problem, const RunStart& start) {
 
 class Replay final : public ReplaySession {
  public:
-  Replay(const Problem& problem, std::shared_ptr<const RunLog> log, ReplayEnd end)
+  Replay(const Problem& problem, std::shared_ptr<const RunLog> log, ReplayEnd end, PlannerRegistry planners)
       : core_({atStart(problem, log->start), parametersOf(*log, end), log->start.planner, log->start.seed, nullptr},
-              makePlannerRegistry()),
+              std::move(planners)),
         log_(std::move(log)),
         end_(end),
         query_(problem.world->makeQuery()),
@@ -123,7 +124,7 @@ class Replay final : public ReplaySession {
   }
 
   bool atEnd() const {
-    if (end_ == ReplayEnd::GoOn) return false;
+    if (end_ == ReplayEnd::Continue) return false;
     if (!log_->end) return true;
     // Records of version 1 have no step.
     return log_->end->step > 0 ? core_.steps() >= log_->end->step : core_.planner()->nodes().size() >= log_->end->nodes;
@@ -163,7 +164,12 @@ class Replay final : public ReplaySession {
 
 std::unique_ptr<ReplaySession> makeReplaySession(const Problem& problem, std::shared_ptr<const RunLog> log,
                                                  ReplayEnd end) {
-  return std::make_unique<Replay>(problem, std::move(log), end);
+  return makeReplaySession(problem, std::move(log), end, makePlannerRegistry());
+}
+
+std::unique_ptr<ReplaySession> makeReplaySession(const Problem& problem, std::shared_ptr<const RunLog> log,
+                                                 ReplayEnd end, PlannerRegistry planners) {
+  return std::make_unique<Replay>(problem, std::move(log), end, std::move(planners));
 }
 
 Result<Problem> withRecordedKnowledge(Problem problem, const RunLog& log, const StopToken& stop) {

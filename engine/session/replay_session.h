@@ -6,7 +6,7 @@
 namespace glissade {
 
 /// End of a replay: with the log, or later with the object at rest, which shows the run with other parameters.
-enum class ReplayEnd { WithTheLog, GoOn };
+enum class ReplayEnd { WithTheLog, Continue };
 
 /// A run whose operator, parameters and semantic edits come from a log instead of from people. Its clock is that of
 /// lockstep. With ReplayEnd::WithTheLog the recorded time limit is ignored, because time is not repeatable.

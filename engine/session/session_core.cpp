@@ -162,11 +162,7 @@ void SessionCore::setPlanner(const std::string& id) {
   }
   std::string known;
   for (const PlannerEntry& entry : registry_.entries()) known += (known.empty() ? "" : ", ") + entry.id;
-  trouble_ = Diagnostic{ErrorKind::Usage,
-                        "",
-                        id,
-                        GLISSADE_TEXT("there is no such planner"),
-                        {GLISSADE_TEXT("Choose one of %1."), {known}}};
+  trouble_ = unknownPlanner(id, {GLISSADE_TEXT("Choose one of %1."), {known}});
 }
 
 void SessionCore::setParameter(ParameterId id, double value) {

@@ -257,7 +257,7 @@ std::vector<std::string> PlanWords::allowances(const AssemblyStep& step, const A
                                    {length, other.shown()}));
       continue;
     }
-    std::string kind = words_(std::string(kindName(allowance.kind)));
+    std::string kind = words_(std::string(kContactKindNames.of(allowance.kind)));
     if (allowance.evidence.byPerson > 0.0) kind += words_(GLISSADE_TEXT(", as a person allows"));
     texts.push_back(allowance.yields
                         ? words_(GLISSADE_TEXT("%1 taken %2 thinner (%3)"), {other.shown(), length, kind})

@@ -41,9 +41,6 @@ constexpr std::array<ResultColumn, kResultColumnCount> kColumns{{
     {"sequence_steps", "/steps", true},
 }};
 
-constexpr std::array<const char*, kRunStatusCount> kStatusNames{
-    "solved", "no-path", "not-certified", "limit-reached", "in-collision", "error", "time", "memory", "crashed"};
-
 std::size_t indexOf(std::string_view column) {
   const auto found =
       std::find_if(kColumns.begin(), kColumns.end(), [&](const auto& each) { return each.name == column; });
@@ -90,7 +87,7 @@ RunStatus statusOf(const ChildEnd& end, const Json& report, const RunOutcome& ou
   if (const auto sequence = statusOfSequence(report)) return *sequence;
   const std::string said = textAt(report, "/status");
   if (report.contains("error") && said.empty()) return RunStatus::Error;
-  const auto status = runStatusOf(said);
+  const auto status = kRunStatusNames.find(said);
   if (!status) return said == "error" || said == "malformed" ? RunStatus::Error : RunStatus::Crashed;
   const bool outOfTime = timeLimit > 0.0 && outcome.timing.planningSeconds.value_or(0.0) >= timeLimit;
   return *status == RunStatus::LimitReached && outOfTime ? RunStatus::Time : *status;
@@ -109,14 +106,6 @@ std::string messageOf(const ChildEnd& end, const Json& report) {
 }  // namespace
 
 const std::array<ResultColumn, kResultColumnCount>& resultColumns() { return kColumns; }
-
-const char* name(RunStatus status) { return kStatusNames[static_cast<std::size_t>(status)]; }
-
-std::optional<RunStatus> runStatusOf(std::string_view name) {
-  const auto found = std::find(kStatusNames.begin(), kStatusNames.end(), name);
-  if (found == kStatusNames.end()) return std::nullopt;
-  return static_cast<RunStatus>(found - kStatusNames.begin());
-}
 
 bool dependsOnMachine(RunStatus status) {
   return status == RunStatus::Time || status == RunStatus::Memory || status == RunStatus::Crashed ||
@@ -159,7 +148,7 @@ std::string writeRunRow(const RunRow& row) {
   json["plan_sha256"] = row.plan;
   json["cell"] = row.cell;
   json["seed"] = row.seed;
-  json["status"] = name(result.status);
+  json["status"] = kRunStatusNames.of(result.status);
   json["certificate"] = result.certificate;
   json["message"] = result.message;
   json["numbers"] = Json::object();
@@ -199,7 +188,7 @@ RunRow readRow(const JsonCursor& root) {
   row.cell = root.at("cell").wholeNumber();
   row.seed = root.at("seed").wholeNumber();
   RunResult& result = row.outcome.result;
-  const auto status = runStatusOf(root.at("status").text());
+  const auto status = kRunStatusNames.find(root.at("status").text());
   if (!status) root.at("status").fail(GLISSADE_TEXT("is not a status"));
   result.status = *status;
   result.certificate = root.at("certificate").text();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/base/child_process.h"
+#include "engine/base/enum_names.h"
 #include "engine/base/result.h"
 
 namespace glissade {
@@ -34,8 +35,8 @@ enum class RunStatus {
   Crashed        ///< ended by a signal, or without a report
 };
 inline constexpr std::size_t kRunStatusCount = 9;
-const char* name(RunStatus status);
-std::optional<RunStatus> runStatusOf(std::string_view name);
+inline constexpr EnumNames<RunStatus, kRunStatusCount> kRunStatusNames{
+    {"solved", "no-path", "not-certified", "limit-reached", "in-collision", "error", "time", "memory", "crashed"}};
 
 /// True if the status depends on the machine's speed and memory, so that a repetition may end otherwise.
 bool dependsOnMachine(RunStatus status);

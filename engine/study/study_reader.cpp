@@ -4,8 +4,8 @@
 #include <set>
 
 #include "engine/operator/device_registry.h"
-#include "engine/planning/planner.h"
 #include "engine/sequence/sequence_strategy.h"
+#include "engine/study/benchmarks/peer_planners.h"
 #include "engine/study/finding_reader.h"
 #include "engine/study/study_axes.h"
 #include "engine/study/study_plan.h"
@@ -69,7 +69,7 @@ ParameterId readParameterId(const JsonCursor& at, const std::string& key) {
 
 class Reader {
  public:
-  explicit Reader(const JsonCursor& root) : root_(root), strategies_(idsOf(makePlannerRegistry())) {
+  explicit Reader(const JsonCursor& root) : root_(root), strategies_(idsOf(makePlannerRegistryWithPeers())) {
     const SequenceStrategyRegistry sequences = makeSequenceStrategyRegistry();
     for (const SequenceStrategyEntry& entry : sequences.entries()) {
       strategies_.push_back(std::string(kSequencePrefix) + entry.id);

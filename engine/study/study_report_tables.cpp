@@ -105,7 +105,8 @@ ReportTable endingsTable(const Study& study, const std::vector<CellSummary>& sum
                    {words(GLISSADE_TEXT("Planned")), ReportColumn::Kind::Number},
                    {words(GLISSADE_TEXT("Run")), ReportColumn::Kind::Number}};
   for (std::size_t s = 0; s < kRunStatusCount; ++s) {
-    table.columns.push_back({words(std::string(name(static_cast<RunStatus>(s)))), ReportColumn::Kind::Number});
+    table.columns.push_back(
+        {words(std::string(kRunStatusNames.of(static_cast<RunStatus>(s)))), ReportColumn::Kind::Number});
   }
   for (std::size_t i = 0; i < study.cells.size(); ++i) {
     const StudyCell& cell = study.cells[i];

@@ -39,7 +39,7 @@ Json toJson(std::size_t index, const StudyCell& cell, const CellSummary& summary
   json["planned"] = summary.planned;
   json["runs"] = summary.runs;
   for (std::size_t i = 0; i < kRunStatusCount; ++i) {
-    json["statuses"][name(static_cast<RunStatus>(i))] = summary.statuses[i];
+    json["statuses"][kRunStatusNames.of(static_cast<RunStatus>(i))] = summary.statuses[i];
   }
   json["success_rate"] = {
       {"share", summary.success.share}, {"wilson95_low", summary.success.low}, {"wilson95_high", summary.success.high}};
@@ -103,7 +103,7 @@ std::string runsTable(const Study& study, const StudyResults& results) {
     addCell(table, run.cell, study.cells[run.cell]);
     addSettings(table, study.cells[run.cell]);
     table.text(std::to_string(run.seed));
-    table.text(name(result.status));
+    table.text(kRunStatusNames.of(result.status));
     table.text(result.status == RunStatus::Solved ? "1" : "0");
     for (const auto& number : result.numbers) table.number(number);
     table.text(result.certificate);
@@ -120,7 +120,7 @@ std::string timingTable(const Study& study, const StudyResults& results) {
     table.row();
     addCell(table, run.cell, study.cells[run.cell]);
     table.text(std::to_string(run.seed));
-    table.text(name(outcome.result.status));
+    table.text(kRunStatusNames.of(outcome.result.status));
     table.number(outcome.timing.planningSeconds);
     table.number(outcome.timing.planningCpuSeconds);
     table.number(outcome.timing.wallSeconds);
@@ -167,7 +167,7 @@ std::string summaryTable(const Study& study, const std::vector<CellSummary>& sum
   nameSettings(table);
   table.header({"planned", "runs", "solved", "success_rate", "success_low", "success_high"});
   for (std::size_t i = 1; i < kRunStatusCount; ++i) {
-    table.header({std::string("runs_") + name(static_cast<RunStatus>(i))});
+    table.header({std::string("runs_") + kRunStatusNames.of(static_cast<RunStatus>(i))});
   }
   nameMeasures(table, summaries.front().measures);
   for (const PaperColumn& column : study.heading.paper) table.header({"paper_" + column.key});

@@ -90,7 +90,7 @@ class Agreement {
     pairs_ = table.pairs().size();
     for (const PairFit& pair : table.pairs()) {
       for (const bool moveA : {true, false}) {
-        Said said{kindName(pair.contact.kind)};
+        Said said{kContactKindNames.of(pair.contact.kind)};
         const PairWay& way = pair.ways[moveA ? 0 : 1];
         for (const Fit& fit : way.taken) add(fit, said);
         said.clash = !way.refused.empty();
@@ -134,7 +134,7 @@ class Agreement {
       for (const bool moveA : {true, false}) {
         const std::size_t moving = moveA ? contact.a : contact.b;
         const std::size_t other = moveA ? contact.b : contact.a;
-        Said said{kindName(contact.kind)};
+        Said said{kContactKindNames.of(contact.kind)};
         for (const Fit& fit : fits.fitsOf(moving)) {
           if (fit.obstacle == other) add(fit, said);
         }
@@ -162,7 +162,7 @@ class Agreement {
     const LoadedScenario loaded = valid(loadGeometry(scenario, ".", "", read_));
     SaidOfOthers found;
     for (const Contact& contact : loaded.fits.contacts) {
-      found[loaded.obstacles[contact.a].name].kind = kindName(contact.kind);
+      found[loaded.obstacles[contact.a].name].kind = kContactKindNames.of(contact.kind);
     }
     for (const Fit& fit : loaded.fits.allowed) add(fit, found[loaded.obstacles[fit.obstacle].name]);
     for (const Fit& fit : loaded.fits.clashes) found[loaded.obstacles[fit.obstacle].name].clash = true;

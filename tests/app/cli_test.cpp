@@ -845,7 +845,7 @@ TEST_F(Cli, AWordAboutAJointThatCannotBeIsOneMessage) {
   };
   EXPECT_NE(refused({{"kind", "pin"}, {"body", "nobody"}, {"word", "dissolved"}}).find("there is no body 'nobody'"),
             std::string::npos);
-  EXPECT_NE(refused({{"kind", "rivet"}, {"body", "screw"}, {"word", "dissolved"}}).find("not a kind of joint"),
+  EXPECT_NE(refused({{"kind", "rivet"}, {"body", "screw"}, {"word", "dissolved"}}).find("is not one of: screw"),
             std::string::npos);
   EXPECT_NE(refused({{"kind", "unit"}, {"body", "screw"}, {"word", "opened"}}).find("no such joint"),
             std::string::npos);

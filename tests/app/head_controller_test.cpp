@@ -133,7 +133,7 @@ TEST_F(HeadControllerTest, RestIsWhereThePersonSits) {
     return head().state().tracked && head().state().reading[2] > 0.5;
   };
   ASSERT_TRUE(wait(sit));
-  emit dialog().restAsked();
+  emit dialog().restRequested();
   EXPECT_TRUE(wait([&] {
     sit();
     return head().state().motion.shift.norm() < 1e-3;

@@ -98,12 +98,12 @@ TEST(JointDraft, AWordHasNothingThatItsKindHasNoUseFor) {
   const ProductPtr product = test::screwedProduct();
   Joint joint = test::screwJoint();
   joint.bend = 0.001;
-  const JointEdit screw = wordThatMakes(joint, *product);
+  const JointEdit screw = editForJoint(joint, *product);
   EXPECT_TRUE(screw.made->thread->isPitchStated);
   EXPECT_EQ(screw.made->bend, 0.0);
   EXPECT_EQ(screw.clamped, std::vector<std::string>{"plate"});
   joint.kind = JointKind::Permanent;
-  const JointEdit permanent = wordThatMakes(joint, *product);
+  const JointEdit permanent = editForJoint(joint, *product);
   EXPECT_FALSE(permanent.made->thread);
   EXPECT_EQ(permanent.key.others, (std::vector<std::string>{"block", "plate"}));
   EXPECT_TRUE(permanent.clamped.empty());

@@ -20,7 +20,7 @@ TEST(JointTable, HasWhatIsFoundAndWhoSaysSo) {
   EXPECT_EQ(rowOf(*table, "screw").state, JointRowState::Recognised);
   EXPECT_EQ(rowOf(*table, "plate").state, JointRowState::Suggested);
   EXPECT_EQ(table->count(JointRowState::Suggested), 1U);
-  EXPECT_FALSE(rowOf(*table, "screw").isSaid());
+  EXPECT_FALSE(rowOf(*table, "screw").isStated());
 }
 
 TEST(JointTable, ADissolvedJointStaysAsItWasFound) {
@@ -57,17 +57,17 @@ TEST(JointTable, AWordThatCannotBeIsARowWithTheReasonAndTheOthersCount) {
 TEST(JointTable, AWordTakesThePlaceOfTheOneBefore) {
   const auto table = screwedTable();
   const JointKey key{JointKind::Unit, "plate", {"block"}};
-  auto words = withWord({}, {key, Word::Confirmed});
-  words = withWord(words, {key, Word::Opened});
+  auto words = withEdit({}, {key, Word::Confirmed});
+  words = withEdit(words, {key, Word::Opened});
   ASSERT_EQ(words.size(), 1U);
   EXPECT_EQ(words[0].word, Word::Opened);
-  EXPECT_TRUE(withoutWord(words, key).empty());
+  EXPECT_TRUE(withoutEdit(words, key).empty());
   EXPECT_TRUE(isSameJoint({JointKind::Unit, "a", {"b", "c"}}, {JointKind::Unit, "a", {"c", "b"}}));
 }
 
 TEST(JointTable, WhatOnlyAPersonHasMadeNeedsNoWordToGo) {
   const auto found = screwedTable();
-  const JointEdit made = wordThatMakes(test::pinJoint(JointKind::Permanent), found->product());
+  const JointEdit made = editForJoint(test::pinJoint(JointKind::Permanent), found->product());
   const JointTable table = found->with({made});
   ASSERT_EQ(table.rows().size(), 4U);
   const auto row = std::find_if(table.rows().begin(), table.rows().end(),

@@ -29,6 +29,23 @@ TEST(ParameterSlider, ShowsEveryLiveParameterAndGivesBackWhatItShows) {
   }
 }
 
+/// The digits depend on the length in metres, not on the number of radii.
+TEST(ParameterSlider, AFieldHasTheDigitsThatTheSizeOfTheObjectNeeds) {
+  ParameterSlider distance(ParameterId::ContactDistance);
+  distance.setObjectRadius(0.002);
+  distance.setValue(0.000134);  // the default is 0.2 mm
+  EXPECT_NEAR(distance.value(), 0.000134, 1e-9);
+  distance.setObjectRadius(1.5);
+  distance.setValue(0.1234);
+  EXPECT_NEAR(distance.value(), 0.1234, 1e-9);
+  ParameterSlider clearance(ParameterId::RequiredClearance);
+  for (const double radius : {0.01, 1.5, 50.0}) {
+    clearance.setObjectRadius(radius);
+    clearance.setValue(5e-5);
+    EXPECT_NEAR(clearance.value(), 5e-5, 1e-9) << radius;
+  }
+}
+
 TEST(ParameterSlider, DraggingAndTypingAnnounceValuesThatTheTableAccepts) {
   for (const ParameterSpec& spec : parameterTable()) {
     if (!spec.live) continue;

@@ -267,6 +267,18 @@ TEST_F(StudyCli, PeersRunBesideOurs) {
   EXPECT_THAT(test::readWhole(path("out") + "/timing.csv"), HasSubstr("planning_cpu_s"));
 }
 
+/// The report of a study promises that its runs can be repeated.
+TEST_F(StudyCli, ARunOfAPeerIsRepeatedRecordedAndReplayed) {
+  const std::string record = path("run.json");
+  const std::string scenario = path("scenario.json");
+  EXPECT_EQ(shell(kCli + " plan " + scenario + " --strategy peer-rrtconnect --record " + record), 0) << said;
+  EXPECT_EQ(shell(kCli + " replay " + record), 0) << said;
+  EXPECT_THAT(said, HasSubstr("same roadmap"));
+  EXPECT_EQ(shell(kCli + " plan " + scenario + " --operator replay:" + record), 0) << said;
+  EXPECT_EQ(shell(kCli + " plan --help"), 0);
+  EXPECT_THAT(said, testing::Not(HasSubstr("peer-")));
+}
+
 TEST_F(StudyCli, AQuickStudyOfThePaperHoldsItsNumbers) {
   const std::string study = test::sourceDirectory() + "/samples/studies/table-2.json";
   ASSERT_EQ(shell(kCli + " study " + study + " --out " + path("out") + " --quick --jobs 2 --shard 1/3"), 0) << said;

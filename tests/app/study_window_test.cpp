@@ -81,7 +81,7 @@ TEST_F(StudyWindow, TheBrowserHasEveryCellAndAsksForTheRunThatIsDoubleClicked) {
   auto* runs = browser.findChild<QTreeWidget*>(QStringLiteral("runs"));
   ASSERT_EQ(runs->topLevelItemCount(), 2);
   std::vector<StudyRun> wanted;
-  QObject::connect(&browser, &StudyBrowser::runWanted, [&](const StudyRun& run) { wanted.push_back(run); });
+  QObject::connect(&browser, &StudyBrowser::runRequested, [&](const StudyRun& run) { wanted.push_back(run); });
   browser.resize(1100, 700);
   runs->scrollToItem(runs->topLevelItem(1));
   QCoreApplication::processEvents();

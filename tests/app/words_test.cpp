@@ -45,7 +45,7 @@ using Reasons = std::map<Situation, std::string>;
 struct Word {
   std::string name;
   Edit say;
-  Question isSaid;  ///< whether the scenario holds the edit
+  Question isInScenario;  ///< whether the scenario holds the edit
   /// Whether a strategy of sequences receives the edit, if it should.
   std::function<bool(const SequenceDemands&)> reachesSequences;
   /// Whether a planner of paths receives the edit, if it should.
@@ -296,11 +296,11 @@ class WordInSituation : public testing::TestWithParam<Cell> {
  protected:
   WordInSituation() {
     open(document, teaching());
-    EXPECT_FALSE(word.isSaid(document.contentFor("")));
+    EXPECT_FALSE(word.isInScenario(document.contentFor("")));
     word.say(document);
   }
   void expectSaid(const std::string& when) {
-    EXPECT_TRUE(word.isSaid(document.contentFor(""))) << word.name << " " << when;
+    EXPECT_TRUE(word.isInScenario(document.contentFor(""))) << word.name << " " << when;
   }
   void look(Situation situation);
 
@@ -313,7 +313,7 @@ void WordInSituation::look(Situation situation) {
   switch (situation) {
     case Situation::UndoneAndRedone: {
       document.undoStack().undo();
-      EXPECT_FALSE(word.isSaid(document.contentFor("")));
+      EXPECT_FALSE(word.isInScenario(document.contentFor("")));
       document.undoStack().redo();
       expectSaid("once redone");
       break;
@@ -337,14 +337,14 @@ void WordInSituation::look(Situation situation) {
     case Situation::Reopened: {
       WorkbenchDocument other;
       other.open(reopened(document, folder));
-      EXPECT_TRUE(word.isSaid(other.contentFor(""))) << "opened again";
-      EXPECT_TRUE(word.isSaid(document.contentFor(""))) << "where it was saved";
+      EXPECT_TRUE(word.isInScenario(other.contentFor(""))) << "opened again";
+      EXPECT_TRUE(word.isInScenario(document.contentFor(""))) << "where it was saved";
       break;
     }
     case Situation::CommandLine: {
       // The command line plans with the scenario that it loads from the file.
       const ScenarioPtr loaded = reopened(document, folder);
-      EXPECT_TRUE(word.isSaid(loaded->scenario));
+      EXPECT_TRUE(word.isInScenario(loaded->scenario));
       break;
     }
     case Situation::PathStrategies: {
@@ -412,7 +412,7 @@ class RandomSession {
   static Said wordsOf(const WorkbenchDocument& document) {
     const Scenario scenario = document.contentFor("");
     Said said;
-    for (const Word& word : words()) said.push_back(word.isSaid(scenario));
+    for (const Word& word : words()) said.push_back(word.isInScenario(scenario));
     return said;
   }
   static bool isUndoable(std::size_t word) { return words()[word].elsewhere.count(Situation::UndoneAndRedone) == 0; }

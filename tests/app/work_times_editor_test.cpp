@@ -106,10 +106,10 @@ TEST_F(WorkTimesEditorTest, SelectedOrAllValuesAreReset) {
 }
 
 TEST_F(WorkTimesEditorTest, FilesAndUndoAreAskedFor) {
-  const QSignalSpy open(&editor, &WorkTimesEditor::openAsked);
-  const QSignalSpy save(&editor, &WorkTimesEditor::saveAsked);
-  const QSignalSpy undo(&editor, &WorkTimesEditor::undoAsked);
-  const QSignalSpy redo(&editor, &WorkTimesEditor::redoAsked);
+  const QSignalSpy open(&editor, &WorkTimesEditor::openRequested);
+  const QSignalSpy save(&editor, &WorkTimesEditor::saveRequested);
+  const QSignalSpy undo(&editor, &WorkTimesEditor::undoRequested);
+  const QSignalSpy redo(&editor, &WorkTimesEditor::redoRequested);
   button("times-open")->click();
   button("times-save")->click();
   button("times-undo")->click();

@@ -37,7 +37,7 @@ StatedLine planOf(std::vector<StatedStep> steps) {
   return {0, {"base", "cover", "screw"}, {"base"}, std::move(steps), {}, {}};
 }
 
-bool isSaid(const std::vector<std::string>& violations, const std::string& what) {
+bool isReported(const std::vector<std::string>& violations, const std::string& what) {
   for (const std::string& each : violations) {
     if (each.find(what) != std::string::npos) return true;
   }
@@ -55,46 +55,47 @@ TEST(JointOracle, AcceptsAScrewThatTurnsOutBeforeWhatItClamps) {
 TEST(JointOracle, RefusesAThreadThatIsPulled) {
   const auto violations = violationsOf(planOf({{{"screw"}, straight()}, {{"cover"}, straight()}}), {screw()});
   ASSERT_EQ(violations.size(), 1U);
-  EXPECT_TRUE(isSaid(violations, "step 1: the thread of screw 'screw' opens, and it advances by")) << violations[0];
+  EXPECT_TRUE(isReported(violations, "step 1: the thread of screw 'screw' opens, and it advances by")) << violations[0];
 }
 
 TEST(JointOracle, RefusesWhatIsPulledOffWhatItsOwnAllowancesCallAThread) {
   StatedStep pulled{{"cover"}, straight()};
   pulled.threads = {"base"};
-  EXPECT_TRUE(isSaid(violationsOf(planOf({pulled, {{"screw"}, straight()}}), {}),
-                     "step 1: 'cover' is pulled off the thread of 'base'"));
+  EXPECT_TRUE(isReported(violationsOf(planOf({pulled, {{"screw"}, straight()}}), {}),
+                         "step 1: 'cover' is pulled off the thread of 'base'"));
   pulled.path = turnedOut(4);
   EXPECT_EQ(violationsOf(planOf({pulled, {{"screw"}, straight()}}), {}), std::vector<std::string>());
 }
 
 TEST(JointOracle, RefusesTurnsThatAreTooFewOrTooCoarse) {
-  EXPECT_TRUE(isSaid(violationsOf(planOf({{{"screw"}, turnedOut(3)}, {{"cover"}, straight()}}), {screw()}),
-                     "before it is free"));
+  EXPECT_TRUE(isReported(violationsOf(planOf({{{"screw"}, turnedOut(3)}, {{"cover"}, straight()}}), {screw()}),
+                         "before it is free"));
   EXPECT_TRUE(
-      isSaid(violationsOf(planOf({{{"screw"}, turnedOut(4, 1.1 * kPitch)}, {{"cover"}, straight()}}), {screw()}),
-             "it advances by"));
-  EXPECT_TRUE(isSaid(violationsOf(planOf({{{"screw"}, turnedOut(4, kPitch, 2)}, {{"cover"}, straight()}}), {screw()}),
-                     "half a circle"));
+      isReported(violationsOf(planOf({{{"screw"}, turnedOut(4, 1.1 * kPitch)}, {{"cover"}, straight()}}), {screw()}),
+                 "it advances by"));
+  EXPECT_TRUE(
+      isReported(violationsOf(planOf({{{"screw"}, turnedOut(4, kPitch, 2)}, {{"cover"}, straight()}}), {screw()}),
+                 "half a circle"));
 }
 
 TEST(JointOracle, RefusesWhatIsClampedBeforeItsScrew) {
   const auto violations = violationsOf(planOf({{{"cover"}, straight()}, {{"screw"}, turnedOut(4)}}), {screw()});
-  EXPECT_TRUE(isSaid(violations, "step 1: what screw 'screw' clamps leaves before it"));
-  EXPECT_TRUE(isSaid(violations, "step 2: screw 'screw' leaves after 'cover', which it clamps"));
+  EXPECT_TRUE(isReported(violations, "step 1: what screw 'screw' clamps leaves before it"));
+  EXPECT_TRUE(isReported(violations, "step 2: screw 'screw' leaves after 'cover', which it clamps"));
 }
 
 TEST(JointOracle, CountsEveryBodyOnce) {
-  EXPECT_TRUE(isSaid(violationsOf(planOf({{{"screw"}, turnedOut(4)}}), {screw()}), "'cover' neither leaves"));
+  EXPECT_TRUE(isReported(violationsOf(planOf({{{"screw"}, turnedOut(4)}}), {screw()}), "'cover' neither leaves"));
   StatedLine twice = planOf({{{"screw"}, turnedOut(4)}, {{"cover"}, straight()}, {{"cover"}, straight()}});
-  EXPECT_TRUE(isSaid(violationsOf(twice, {screw()}), "step 3: 'cover' has left before"));
+  EXPECT_TRUE(isReported(violationsOf(twice, {screw()}), "step 3: 'cover' has left before"));
   StatedLine stuck = planOf({{{"screw"}, turnedOut(4)}, {{"cover"}, straight()}});
   stuck.stuck = {"cover"};
-  EXPECT_TRUE(isSaid(violationsOf(stuck, {screw()}), "'cover' is to remain"));
+  EXPECT_TRUE(isReported(violationsOf(stuck, {screw()}), "'cover' is to remain"));
 }
 
 TEST(JointOracle, OnlyFlexibleBodiesLeaveWithoutAProof) {
   StatedLine plan = planOf({{{"screw"}, turnedOut(4)}, {{"cover"}, straight(), false}});
-  EXPECT_TRUE(isSaid(violationsOf(plan, {screw()}), "'cover' leaves without a proof"));
+  EXPECT_TRUE(isReported(violationsOf(plan, {screw()}), "'cover' leaves without a proof"));
   StatedJoint belt = screw();
   belt.kind = "flexible";
   belt.body = "cover";
@@ -108,11 +109,11 @@ TEST(JointOracle, JudgesTheLinesOfGroups) {
   StatedJoint inCover = screw();
   inCover.others = {"cover"};
   inCover.clamped = {};
-  EXPECT_TRUE(isSaid(violationsOf(plan, {inCover}), "in the line of step 1: step 1: the thread of screw"));
+  EXPECT_TRUE(isReported(violationsOf(plan, {inCover}), "in the line of step 1: step 1: the thread of screw"));
   plan.lines[0].steps[0].path = turnedOut(4);
   EXPECT_TRUE(violationsOf(plan, {inCover}).empty());
   plan.lines[0].bodies = {"screw"};
-  EXPECT_TRUE(isSaid(violationsOf(plan, {inCover}), "a line has other bodies than its step"));
+  EXPECT_TRUE(isReported(violationsOf(plan, {inCover}), "a line has other bodies than its step"));
 }
 
 /// Plans a product with the program, and judges the plan by the joints that the program finds.

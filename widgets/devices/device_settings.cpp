@@ -2,13 +2,10 @@
 
 #include <QUrl>
 
-#include <array>
 #include <limits>
 
 namespace glissade {
 namespace {
-
-constexpr std::array<const char*, 3> kFrames{"view", "world", "object"};
 
 /// Prefix that tells apart both controllers of a headset, which have one name.
 QString handOf(const HandInput& input) {
@@ -93,10 +90,8 @@ DeviceShaping DeviceSettings::shaping(const HandInput& input) const {
   shaping.dominantAxis = flag("/dominant-axis");
   shaping.translationLocked = flag("/translation-locked");
   shaping.rotationLocked = flag("/rotation-locked");
-  const QString frame = settings_.value(group + QStringLiteral("/frame")).toString();
-  for (std::size_t i = 0; i < kFrames.size(); ++i) {
-    if (frame == QLatin1String(kFrames[i])) shaping.frame = static_cast<MotionFrame>(i);
-  }
+  const std::string frame = settings_.value(group + QStringLiteral("/frame")).toString().toStdString();
+  shaping.frame = kMotionFrameNames.find(frame).value_or(shaping.frame);
   shaping.linearSpeed = number(settings_, group + QStringLiteral("/linear-speed"), shaping.linearSpeed);
   shaping.angularSpeed = number(settings_, group + QStringLiteral("/angular-speed"), shaping.angularSpeed);
   return inRange(shaping);
@@ -115,7 +110,7 @@ void DeviceSettings::setShaping(const HandInput& input, const DeviceShaping& sha
   settings_.setValue(group + QStringLiteral("/dominant-axis"), shaping.dominantAxis);
   settings_.setValue(group + QStringLiteral("/translation-locked"), shaping.translationLocked);
   settings_.setValue(group + QStringLiteral("/rotation-locked"), shaping.rotationLocked);
-  settings_.setValue(group + QStringLiteral("/frame"), QLatin1String(kFrames[static_cast<std::size_t>(shaping.frame)]));
+  settings_.setValue(group + QStringLiteral("/frame"), QLatin1String(kMotionFrameNames.of(shaping.frame)));
   settings_.setValue(group + QStringLiteral("/linear-speed"), shaping.linearSpeed);
   settings_.setValue(group + QStringLiteral("/angular-speed"), shaping.angularSpeed);
 }

@@ -63,7 +63,7 @@ HeadDialog::HeadDialog(const HeadPreferences& present, std::function<HeadState()
   column->addStretch();
   column->addWidget(buttons);
   setPreferences(present);
-  connect(rest, &QPushButton::clicked, this, &HeadDialog::restAsked);
+  connect(rest, &QPushButton::clicked, this, &HeadDialog::restRequested);
   connect(reset, &QPushButton::clicked, this, [this] {
     setPreferences({});
     announce();

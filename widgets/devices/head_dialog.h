@@ -42,7 +42,7 @@ class HeadDialog final : public QDialog {
  signals:
   void changed(const glissade::HeadPreferences& preferences);
   /// The person asks to take the present pose of the head as the rest pose.
-  void restAsked();
+  void restRequested();
 
  protected:
   void showEvent(QShowEvent* event) override;

@@ -32,7 +32,7 @@ QComboBox* makeBox(const char* id, const QString& name, const QString& tip) {
 
 }  // namespace
 
-void leaveToFile(const std::string& file, QComboBox& unit, QComboBox& up) {
+void showUnitOfFile(const std::string& file, QComboBox& unit, QComboBox& up) {
   if (isCadFile(file)) unit.setItemText(0, PartsDialog::tr("file's"));
   for (QComboBox* box : {&unit, &up}) {
     box->setEnabled(false);

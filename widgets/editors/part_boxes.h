@@ -13,7 +13,7 @@ QComboBox* makeUnitBox(const QString& part);
 QComboBox* makeUpBox(const QString& part);
 
 /// Shows that the file itself states unit and axis, and disables the boxes. Each STEP file has its own unit.
-void leaveToFile(const std::string& file, QComboBox& unit, QComboBox& up);
+void showUnitOfFile(const std::string& file, QComboBox& unit, QComboBox& up);
 
 /// Puts the box into a widget with a margin, which must be filled: the column is measured with it.
 QWidget* cellOf(QComboBox* box);

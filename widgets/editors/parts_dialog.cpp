@@ -223,7 +223,7 @@ void PartsDialog::makeBoxes(int row) {
   for (const auto& [column, combo] : {std::pair(kRole, role), std::pair(kUnit, unit), std::pair(kUp, up)}) {
     table_->setCellWidget(row, column, cellOf(combo));
   }
-  if (saysItsUnit(part.path)) leaveToFile(part.path, *unit, *up);
+  if (saysItsUnit(part.path)) showUnitOfFile(part.path, *unit, *up);
   showRow(row);
   if (row > 0) return;
   table_->resizeRowToContents(row);
@@ -423,7 +423,7 @@ void PartsDialog::guessUnits() {
 }
 
 /// Lets the first of the smallest parts move, as long as nobody has chosen.
-void PartsDialog::guessWhatMoves() {
+void PartsDialog::guessMovingPart() {
   if (purpose_ != Purpose::NewScenario || roleChosen_ || !isMeasured()) return;
   Row* smallest = nullptr;
   const auto diagonal = [](const Row& row) { return boxOfPart(row.part, **row.inFile).diagonal().norm(); };
@@ -437,7 +437,7 @@ void PartsDialog::guessWhatMoves() {
 
 void PartsDialog::refresh() {
   guessUnits();
-  guessWhatMoves();
+  guessMovingPart();
   for (int row = 0; row < table_->rowCount(); ++row) {
     showRow(row);
     showSize(row);

@@ -91,7 +91,7 @@ class PartsDialog final : public QDialog {
   bool isMeasured() const;
   bool hasMoving() const;
   void guessUnits();
-  void guessWhatMoves();
+  void guessMovingPart();
   void refresh();
   void showRow(int row);
   void showSize(int row);

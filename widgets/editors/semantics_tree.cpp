@@ -94,7 +94,7 @@ void SemanticsTree::refresh() {
   showAssemblies();
   showBodies();
   updating_ = false;
-  hideUnwanted();
+  hideFilteredRows();
   showSelection();
 }
 
@@ -188,11 +188,11 @@ void SemanticsTree::showAssemblies() {
 /// Deselects rows that become hidden, so that nobody edits hidden rows.
 void SemanticsTree::setFilter(const QString& text) {
   filter_ = text;
-  hideUnwanted();
+  hideFilteredRows();
   takeSelection();
 }
 
-void SemanticsTree::hideUnwanted() {
+void SemanticsTree::hideFilteredRows() {
   for (QTreeWidgetItem* group : {places_, assemblies_, bodies_}) {
     for (int i = 0; i < group->childCount(); ++i) {
       const QString search = group->child(i)->data(0, kSearchRole).toString();

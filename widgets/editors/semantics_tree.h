@@ -26,7 +26,7 @@ class SemanticsTree final : public QTreeWidget {
 
  private:
   void refresh();
-  void hideUnwanted();
+  void hideFilteredRows();
   void showPlaces();
   void showAssemblies();
   void showBodies();

@@ -27,7 +27,7 @@ class HeadsetConnection {
   HeadsetConnection& operator=(const HeadsetConnection&) = delete;
 
   const std::string& name() const { return runtime_.name(); }
-  SessionNews poll() { return session_.poll(); }
+  SessionChange poll() { return session_.poll(); }
   /// Waits until the runtime wants a picture, reads the controllers, moves the person, and shows the picture.
   void showPicture(RoomWalk& walk);
   /// Simplification of the scene, as PictureRate counts it.

@@ -76,40 +76,40 @@ void HeadsetSession::makeRoom() {
   checkXr(xrCreateReferenceSpace(session_, &info, &room_), "xrCreateReferenceSpace");
 }
 
-SessionNews HeadsetSession::poll() {
+SessionChange HeadsetSession::poll() {
   XrEventDataBuffer event{};
   for (;;) {
     event.type = XR_TYPE_EVENT_DATA_BUFFER;
     event.next = nullptr;
     const XrResult result = xrPollEvent(runtime_.instance(), &event);
     checkXr(result, "xrPollEvent");
-    if (result == XR_EVENT_UNAVAILABLE) return SessionNews::Nothing;
-    const SessionNews news = take(event);
-    if (news != SessionNews::Nothing) return news;
+    if (result == XR_EVENT_UNAVAILABLE) return SessionChange::Nothing;
+    const SessionChange found = take(event);
+    if (found != SessionChange::Nothing) return found;
   }
 }
 
-SessionNews HeadsetSession::take(const XrEventDataBuffer& event) {
+SessionChange HeadsetSession::take(const XrEventDataBuffer& event) {
   if (event.type == XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING) {
     throw HeadsetFailure(HeadsetTrouble::RuntimeLost, "the runtime ends");
   }
-  if (event.type != XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED) return SessionNews::Nothing;
+  if (event.type != XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED) return SessionChange::Nothing;
   return change(reinterpret_cast<const XrEventDataSessionStateChanged&>(event).state);
 }
 
-SessionNews HeadsetSession::change(XrSessionState state) {
+SessionChange HeadsetSession::change(XrSessionState state) {
   switch (state) {
     case XR_SESSION_STATE_READY: {
       XrSessionBeginInfo info{};
       info.type = XR_TYPE_SESSION_BEGIN_INFO;
       info.primaryViewConfigurationType = kBothEyes;
       checkXr(xrBeginSession(session_, &info), "xrBeginSession");
-      return SessionNews::Began;
+      return SessionChange::Began;
     }
-    case XR_SESSION_STATE_STOPPING: checkXr(xrEndSession(session_), "xrEndSession"); return SessionNews::Ended;
-    case XR_SESSION_STATE_EXITING: return SessionNews::Left;
-    case XR_SESSION_STATE_LOSS_PENDING: return SessionNews::Lost;
-    default: return SessionNews::Nothing;
+    case XR_SESSION_STATE_STOPPING: checkXr(xrEndSession(session_), "xrEndSession"); return SessionChange::Ended;
+    case XR_SESSION_STATE_EXITING: return SessionChange::Left;
+    case XR_SESSION_STATE_LOSS_PENDING: return SessionChange::Lost;
+    default: return SessionChange::Nothing;
   }
 }
 

@@ -11,7 +11,7 @@
 namespace glissade {
 
 /// Change of a session since the last poll().
-enum class SessionNews { Nothing, Began, Ended, Left, Lost };
+enum class SessionChange { Nothing, Began, Ended, Left, Lost };
 
 /// Both eyes at one time, in the room.
 using EyeViews = std::array<XrView, 2>;
@@ -29,7 +29,7 @@ class HeadsetSession {
   /// The space of the room: y up, the origin on the floor.
   XrSpace room() const { return room_; }
   /// Takes events until one of them changes the session.
-  SessionNews poll();
+  SessionChange poll();
 
   /// Waits for the time of the next picture, which the runtime decides.
   XrFrameState waitFrame();
@@ -42,8 +42,8 @@ class HeadsetSession {
  private:
   void create(const GlxHandles& handles);
   void makeRoom();
-  SessionNews take(const XrEventDataBuffer& event);
-  SessionNews change(XrSessionState state);
+  SessionChange take(const XrEventDataBuffer& event);
+  SessionChange change(XrSessionState state);
 
   const HeadsetRuntime& runtime_;
   XrSession session_ = XR_NULL_HANDLE;

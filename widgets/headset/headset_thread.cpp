@@ -123,13 +123,13 @@ void HeadsetThread::search() {
   machine_.connect(connection_->name());
 }
 
-void HeadsetThread::follow(SessionNews news) {
-  switch (news) {
-    case SessionNews::Nothing: break;
-    case SessionNews::Began: machine_.begin(); break;
-    case SessionNews::Ended: machine_.end(); break;
-    case SessionNews::Lost: throw HeadsetFailure(HeadsetTrouble::SessionLost, "the session ends");
-    case SessionNews::Left: leave(); break;
+void HeadsetThread::follow(SessionChange change) {
+  switch (change) {
+    case SessionChange::Nothing: break;
+    case SessionChange::Began: machine_.begin(); break;
+    case SessionChange::Ended: machine_.end(); break;
+    case SessionChange::Lost: throw HeadsetFailure(HeadsetTrouble::SessionLost, "the session ends");
+    case SessionChange::Left: leave(); break;
   }
 }
 

@@ -42,7 +42,7 @@ class HeadsetThread : public std::enable_shared_from_this<HeadsetThread> {
   void serve();
   void step();
   void search();
-  void follow(SessionNews news);
+  void follow(SessionChange change);
   void leave();
   void show();
   void count();

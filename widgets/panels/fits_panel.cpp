@@ -152,7 +152,7 @@ QString FitsPanel::summary() const {
   if (fits_->empty()) return tr("No two bodies touch.");
   QStringList kinds;
   for (const auto& [name, count] : countsByKind(*fits_)) {
-    kinds << QStringLiteral("%1 %2").arg(count).arg(contactKindText(*kindByName(name)));
+    kinds << QStringLiteral("%1 %2").arg(count).arg(contactKindText(*kContactKindNames.find(name)));
   }
   return tr("Pairs of bodies: %1 (%2)").arg(fits_->size()).arg(kinds.join(QStringLiteral(", ")));
 }

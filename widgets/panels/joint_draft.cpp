@@ -98,7 +98,7 @@ Joint draftJoint(const AssembledProduct& product, const std::vector<std::size_t>
   return joint;
 }
 
-JointEdit wordThatMakes(Joint joint, const AssembledProduct& product) {
+JointEdit editForJoint(Joint joint, const AssembledProduct& product) {
   joint.state = JointState::Confirmed;
   joint.isDoubtful = false;
   joint.evidence.clear();

@@ -16,6 +16,6 @@ Joint draftJoint(const AssembledProduct& product, const std::vector<std::size_t>
                  std::optional<std::size_t> body = std::nullopt);
 
 /// The edit by which a person states that this joint exists, without values that its kind does not use.
-JointEdit wordThatMakes(Joint joint, const AssembledProduct& product);
+JointEdit editForJoint(Joint joint, const AssembledProduct& product);
 
 }  // namespace glissade

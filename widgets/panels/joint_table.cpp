@@ -1,14 +1,10 @@
 #include "widgets/panels/joint_table.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace glissade {
 namespace {
-
-constexpr std::array<const char*, 8> kStateNames{"recognised",  "suggested", "confirmed", "made",
-                                                 "pressed-out", "dissolved", "opened",    "refused"};
 
 JointRowState stateOf(const Joint& joint) {
   switch (joint.state) {
@@ -42,8 +38,6 @@ JointKey keyAfter(const JointEdit& edit) {
 }
 
 }  // namespace
-
-const char* jointRowStateName(JointRowState state) { return kStateNames[static_cast<std::size_t>(state)]; }
 
 bool JointRow::counts() const {
   return state != JointRowState::Dissolved && state != JointRowState::Opened && state != JointRowState::Refused;
@@ -132,20 +126,20 @@ bool isSameJoint(JointKey one, JointKey other) {
   return one == other;
 }
 
-std::vector<JointEdit> withoutWord(std::vector<JointEdit> said, const JointKey& key) {
+std::vector<JointEdit> withoutEdit(std::vector<JointEdit> said, const JointKey& key) {
   std::erase_if(said, [&](const JointEdit& edit) { return isSameJoint(edit.key, key); });
   return said;
 }
 
-std::vector<JointEdit> withWord(std::vector<JointEdit> said, const JointEdit& word) {
-  said = withoutWord(std::move(said), word.key);
+std::vector<JointEdit> withEdit(std::vector<JointEdit> said, const JointEdit& word) {
+  said = withoutEdit(std::move(said), word.key);
   said.push_back(word);
   return said;
 }
 
 std::vector<JointEdit> withoutJoint(std::vector<JointEdit> said, const JointRow& row) {
-  if (!row.isFound) return withoutWord(std::move(said), row.key);
-  return withWord(std::move(said), {row.key, JointEdit::Word::Dissolved});
+  if (!row.isFound) return withoutEdit(std::move(said), row.key);
+  return withEdit(std::move(said), {row.key, JointEdit::Word::Dissolved});
 }
 
 }  // namespace glissade

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/enum_names.h"
 #include "engine/product/joint_edits.h"
 #include "widgets/bridge/sequence_planner.h"
 
@@ -22,8 +23,8 @@ enum class JointRowState {
   Refused      ///< a person's statement about it is impossible in this product
 };
 
-/// Name of the state: "recognised", "suggested", "confirmed", "made", "pressed-out", "dissolved", "opened", "refused".
-const char* jointRowStateName(JointRowState state);
+inline constexpr EnumNames<JointRowState, 8> kJointRowStateNames{
+    {"recognised", "suggested", "confirmed", "made", "pressed-out", "dissolved", "opened", "refused"}};
 
 /// One joint as the panel shows it.
 struct JointRow {
@@ -36,7 +37,7 @@ struct JointRow {
   /// Whether it is a joint of the product, including suggested ones.
   bool counts() const;
   /// Whether a person has made a statement about it.
-  bool isSaid() const { return state != JointRowState::Recognised && state != JointRowState::Suggested; }
+  bool isStated() const { return state != JointRowState::Recognised && state != JointRowState::Suggested; }
 };
 
 /// The joints of a product: found joints, and a person's statements about them. Immutable.
@@ -70,9 +71,9 @@ class JointTable {
 bool isSameJoint(JointKey one, JointKey other);
 
 /// The statements with this one in place of the statement on the same joint.
-std::vector<JointEdit> withWord(std::vector<JointEdit> said, const JointEdit& word);
+std::vector<JointEdit> withEdit(std::vector<JointEdit> said, const JointEdit& word);
 /// The statements without those on this joint.
-std::vector<JointEdit> withoutWord(std::vector<JointEdit> said, const JointKey& key);
+std::vector<JointEdit> withoutEdit(std::vector<JointEdit> said, const JointKey& key);
 /// The statements by which the joint of the row does not exist. A joint that only a person has made needs no statement
 /// for that.
 std::vector<JointEdit> withoutJoint(std::vector<JointEdit> said, const JointRow& row);

@@ -97,7 +97,7 @@ void SceneView::placeObstacle(std::size_t obstacle, const Pose& X_WB) {
   impl_->showSections();
 }
 
-void SceneView::putBackObstacles() {
+void SceneView::restoreObstacles() {
   const std::lock_guard lock(*impl_->graphMutex);
   for (const std::size_t obstacle : impl_->inHand) {
     impl_->place(SceneLayer::Bodies, obstacle, impl_->poseOf(obstacle));

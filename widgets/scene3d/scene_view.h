@@ -170,7 +170,7 @@ class SceneView {
   /// Draws an obstacle at another pose while it is dragged, until rearrange(). `obstacle`: index in the scenario.
   void placeObstacle(std::size_t obstacle, const Pose& X_WB);
   /// Draws the obstacles at the scenario's poses again.
-  void putBackObstacles();
+  void restoreObstacles();
   /// Draws the ghost of the object at its start elsewhere, as placeObstacle() does; placeGoal() does so at its goal.
   /// Precondition: the ghost exists.
   void placeStart(const Pose& X_WB);

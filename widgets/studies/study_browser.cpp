@@ -204,7 +204,8 @@ void StudyBrowser::fillRuns(int cell) {
     if (static_cast<int>(run.cell) != cell) continue;
     const RunResult& result = outcome.result;
     addRow(runs_,
-           {QString::number(run.seed), shownText(StudyWords(windowLanguage())(std::string(name(result.status)))),
+           {QString::number(run.seed),
+            shownText(StudyWords(windowLanguage())(std::string(kRunStatusNames.of(result.status)))),
             numberText(result, "virtual_s"), numberText(result, "nodes"), numberText(result, "edges"),
             numberText(result, "random_configurations")},
            2);
@@ -236,7 +237,7 @@ void StudyBrowser::want() {
   const QTreeWidgetItem* item = runs_->currentItem();
   const int cell = cells_->indexOfTopLevelItem(cells_->currentItem());
   if (item == nullptr || cell < 0) return;
-  emit runWanted({static_cast<std::size_t>(cell), item->data(0, kSeedRole).toULongLong()});
+  emit runRequested({static_cast<std::size_t>(cell), item->data(0, kSeedRole).toULongLong()});
 }
 
 }  // namespace glissade

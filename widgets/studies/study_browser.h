@@ -44,7 +44,7 @@ class StudyBrowser final : public QWidget {
  signals:
   /// Another plot, or another part of it, is shown.
   void plotChanged();
-  void runWanted(const glissade::StudyRun& run);
+  void runRequested(const glissade::StudyRun& run);
 
  private:
   void fillCells();

@@ -132,10 +132,10 @@ void WorkTimesEditor::makeButtons() {
   addShortcut(QKeySequence::Redo, *redo_);
   connect(reset_, &QPushButton::clicked, this, &WorkTimesEditor::reset);
   connect(resetAll_, &QPushButton::clicked, this, [this] { emit edited(WorkTimes()); });
-  connect(undo_, &QPushButton::clicked, this, &WorkTimesEditor::undoAsked);
-  connect(redo_, &QPushButton::clicked, this, &WorkTimesEditor::redoAsked);
-  connect(open, &QPushButton::clicked, this, &WorkTimesEditor::openAsked);
-  connect(save, &QPushButton::clicked, this, &WorkTimesEditor::saveAsked);
+  connect(undo_, &QPushButton::clicked, this, &WorkTimesEditor::undoRequested);
+  connect(redo_, &QPushButton::clicked, this, &WorkTimesEditor::redoRequested);
+  connect(open, &QPushButton::clicked, this, &WorkTimesEditor::openRequested);
+  connect(save, &QPushButton::clicked, this, &WorkTimesEditor::saveRequested);
   auto* row = new FlowLayout;
   for (QPushButton* button : {reset_, resetAll_, undo_, redo_, open, save}) row->addWidget(button);
   layout()->addItem(row);

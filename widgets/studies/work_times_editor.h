@@ -52,10 +52,10 @@ class WorkTimesEditor final : public QWidget {
  signals:
   /// A person asks for this table.
   void edited(const glissade::WorkTimes& times);
-  void undoAsked();
-  void redoAsked();
-  void openAsked();
-  void saveAsked();
+  void undoRequested();
+  void redoRequested();
+  void openRequested();
+  void saveRequested();
 
  private:
   QPushButton* addButton(const char* id, const QString& text, const QString& tip);

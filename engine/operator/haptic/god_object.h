@@ -25,7 +25,7 @@ class GodObject {
 
   const Pose& pose() const { return q_; }
   /// True if more data would let it move farther, or it has moved since the last data.
-  bool curious() const { return !known_ || q_ != surroundings_.q; }
+  bool needsSurroundings() const { return !known_ || q_ != surroundings_.q; }
   /// The nearest obstacle in the latest data, moved along with the object; body -1: none within reach.
   NearestObstacle nearest() const;
 

@@ -66,7 +66,7 @@ void HapticLoop::cycle() {
   carryOutOrders();
   if (const auto answer = tracker_.answer()) servo_.learn(*answer);
   now_.cycle = servo_.cycle(HapticServo::kPeriod, current_.guidance, current_.bounds);
-  if (servo_.object().curious()) tracker_.ask(servo_.object().pose(), reach_);
+  if (servo_.object().needsSurroundings()) tracker_.ask(servo_.object().pose(), reach_);
   now_.connected = servo_.connected();
   now_.queries = tracker_.queries();
   const std::unique_lock lock(mutex_, std::try_to_lock);

@@ -37,7 +37,7 @@ Pose SteppedHapticOperator::advance(double dt, const OperatorView& view, const B
   }
   const double reach = reachOf(view.guidance, objectRadius_);
   for (owed_ += dt; owed_ >= HapticServo::kPeriod; owed_ -= HapticServo::kPeriod) {
-    if (servo_.object().curious()) servo_.learn(lookAround(*query_, servo_.object().pose(), reach));
+    if (servo_.object().needsSurroundings()) servo_.learn(lookAround(*query_, servo_.object().pose(), reach));
     cycle_ = servo_.cycle(HapticServo::kPeriod, view.guidance, bounds);
   }
   return cycle_.q;

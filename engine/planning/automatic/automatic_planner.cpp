@@ -47,7 +47,7 @@ SlotResult runSlot(SubPlanner& life, PlannerHost& host, std::uint64_t quantum) {
     ++result.turns;
     result.work = workOf(life.planner().counts()) - before + kTurnWork * result.turns;
   } while (result.state == SubPlanner::State::Running && result.work < quantum && !host.stopToken().stopRequested());
-  result.gotOn = stagesDoneOf(life.planner()) > stagesBefore;
+  result.madeProgress = stagesDoneOf(life.planner()) > stagesBefore;
   return result;
 }
 
@@ -103,13 +103,13 @@ bool AutomaticPlanner::solve(PlannerHost& host) {
 
 void AutomaticPlanner::round(PlannerHost& host) {
   if (partner_ && partner_->takesTurn(host)) {
-    partnersTurn(host);
+    runPartner(host);
     return;
   }
   const auto slots = static_cast<std::size_t>(host.parameters().integer(ParameterId::Slots));
   const std::uint64_t quantum = partner_ ? std::min(quantum_, partner_->mostWork()) : quantum_;
   const std::size_t edgesBefore = roadmap_.edges.size();
-  deal(slots, quantum);
+  assignSlots(slots, quantum);
   runParts(host, slots, quantum);
   for (const Part& part : parts_) {
     Life& life = lifeOf(part);
@@ -120,11 +120,11 @@ void AutomaticPlanner::round(PlannerHost& host) {
   }
   deliver();
   for (const Part& part : parts_) settle(part);
-  if (partner_) tellPartner(quantum, edgesBefore);
+  if (partner_) reportToPartner(quantum, edgesBefore);
   quantum_ = std::min(2 * quantum_, kQuantum);
 }
 
-void AutomaticPlanner::partnersTurn(PlannerHost& host) {
+void AutomaticPlanner::runPartner(PlannerHost& host) {
   SubPlanner& planner = partner_->planner();
   const SlotResult result = runSlot(planner, host, 0);
   planner.collect(roadmap_);
@@ -136,7 +136,7 @@ void AutomaticPlanner::partnersTurn(PlannerHost& host) {
   solver_ = kPartner;
 }
 
-void AutomaticPlanner::tellPartner(std::uint64_t quantum, std::size_t edgesBefore) {
+void AutomaticPlanner::reportToPartner(std::uint64_t quantum, std::size_t edgesBefore) {
   RoundOutcome outcome;
   outcome.quantum = quantum;
   for (const Part& part : parts_) {
@@ -154,7 +154,7 @@ void AutomaticPlanner::tellPartner(std::uint64_t quantum, std::size_t edgesBefor
 }
 
 /// The lives of a member are sorted by completed stages, most first.
-void AutomaticPlanner::deal(std::size_t slots, std::uint64_t quantum) {
+void AutomaticPlanner::assignSlots(std::size_t slots, std::uint64_t quantum) {
   const auto stages = [](const Life& life) { return life.planner ? stagesDoneOf(life.planner->planner()) : 0; };
   for (std::vector<Life>& lives : lives_) {
     if (lives.size() < 2) continue;
@@ -207,7 +207,7 @@ void AutomaticPlanner::settle(const Part& part) {
   Life& life = lifeOf(part);
   const Contender& contender = members_[part.member].contender;
   const SubPlanner::State state = part.result.state;
-  if (part.result.gotOn) portfolio_.encourage(part.member);
+  if (part.result.madeProgress) portfolio_.reward(part.member);
   if (state == SubPlanner::State::Solved) return;
   const bool failed = state == SubPlanner::State::Failed;
   if (!failed && life.work < lifeLength(contender, life.number)) return;

@@ -16,9 +16,9 @@ namespace glissade {
 /// The result of one member's round.
 struct SlotResult {
   SubPlanner::State state = SubPlanner::State::Running;
-  std::uint64_t work = 0;   ///< queries and steps, by what they cost; never seconds
-  std::uint64_t turns = 0;  ///< of one step
-  bool gotOn = false;       ///< it has done another of its stages
+  std::uint64_t work = 0;     ///< queries and steps, by what they cost; never seconds
+  std::uint64_t turns = 0;    ///< of one step
+  bool madeProgress = false;  ///< it has done another of its stages
 };
 
 /// Lets one life of a member have turns until it has spent the quantum, has ended, or is stopped;
@@ -97,9 +97,9 @@ class AutomaticPlanner final : public Planner, public ReportsMembers {
 
   std::vector<Member> membersOf(const Problem& problem) const;
   void round(PlannerHost& host);
-  void partnersTurn(PlannerHost& host);
-  void tellPartner(std::uint64_t quantum, std::size_t edgesBefore);
-  void deal(std::size_t slots, std::uint64_t quantum);
+  void runPartner(PlannerHost& host);
+  void reportToPartner(std::uint64_t quantum, std::size_t edgesBefore);
+  void assignSlots(std::size_t slots, std::uint64_t quantum);
   void runParts(PlannerHost& host, std::size_t slots, std::uint64_t quantum);
   void work(Part& part, PlannerHost& host, std::uint64_t quantum);
   void settle(const Part& part);

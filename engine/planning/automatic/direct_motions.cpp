@@ -22,13 +22,13 @@ DirectMotions::DirectMotions(const Problem& problem) : problem_(problem), query_
   counts_.nodes = 1;
   const std::vector<Vector3> directions = likelyDirections(problem_);
   if (const Pose* goal = std::get_if<Pose>(&problem_.goal)) {
-    acrossIdeas(*goal, directions);
+    addMotionsAcross(*goal, directions);
   } else if (!problem_.world->obstaclesBox().isEmpty()) {
-    outIdeas(directions);
+    addMotionsOut(directions);
   }
 }
 
-void DirectMotions::outIdeas(const std::vector<Vector3>& directions) {
+void DirectMotions::addMotionsOut(const std::vector<Vector3>& directions) {
   for (const Vector3& direction : directions) {
     Pose out = problem_.start;
     out.position += distanceOut(problem_, problem_.start.position, direction) * direction;
@@ -50,7 +50,7 @@ void DirectMotions::outIdeas(const std::vector<Vector3>& directions) {
   }
 }
 
-void DirectMotions::acrossIdeas(const Pose& goal, const std::vector<Vector3>& directions) {
+void DirectMotions::addMotionsAcross(const Pose& goal, const std::vector<Vector3>& directions) {
   add({problem_.start, goal});
   for (const double lift : kLifts) {
     for (const Vector3& direction : directions) {
@@ -64,10 +64,10 @@ void DirectMotions::acrossIdeas(const Pose& goal, const std::vector<Vector3>& di
   }
 }
 
-void DirectMotions::add(std::vector<Pose> idea) {
+void DirectMotions::add(std::vector<Pose> motion) {
   const bool within =
-      std::all_of(idea.begin(), idea.end(), [&](const Pose& q) { return problem_.bounds.contains(q.position); });
-  if (within) ideas_.push_back(std::move(idea));
+      std::all_of(motion.begin(), motion.end(), [&](const Pose& q) { return problem_.bounds.contains(q.position); });
+  if (within) candidates_.push_back(std::move(motion));
 }
 
 bool DirectMotions::solve(PlannerHost& host) {
@@ -82,22 +82,22 @@ bool DirectMotions::solve(PlannerHost& host) {
 }
 
 void DirectMotions::tryNext(PlannerHost& host) {
-  if (next_ == ideas_.size()) {
+  if (next_ == candidates_.size()) {
     failure_ = Diagnostic{ErrorKind::NoPath, "", "", GLISSADE_TEXT("no direct motion is free"),
                           GLISSADE_TEXT("Choose a planner that searches.")};
     return;
   }
-  const std::vector<Pose>& idea = ideas_[next_];
+  const std::vector<Pose>& motion = candidates_[next_];
   Path path;
-  for (const Pose& q : idea) path.points.push_back({q, Author::Computer});
+  for (const Pose& q : motion) path.points.push_back({q, Author::Computer});
   path.certificate = certifyPath(*query_, path.points, host.parameters(), host.stopToken());
   if (path.certificate.status != CertificateStatus::Certified) {
     if (!host.stopToken().stopRequested()) ++next_;
     return;
   }
-  for (std::size_t i = 1; i < idea.size(); ++i) {
+  for (std::size_t i = 1; i < motion.size(); ++i) {
     edges_.push_back({static_cast<std::uint32_t>(nodes_.size() - 1), static_cast<std::uint32_t>(nodes_.size())});
-    nodes_.push_back({idea[i], Author::Computer, TreeSide::Start});
+    nodes_.push_back({motion[i], Author::Computer, TreeSide::Start});
   }
   counts_.nodes = nodes_.size();
   counts_.edges = 2 * edges_.size();

@@ -21,18 +21,16 @@ class DirectMotions final : public Planner {
   const Path* path() const override { return path_ ? &*path_ : nullptr; }
   std::optional<Diagnostic> failure() const override { return failure_; }
 
-  /// The candidate motions, in the order in which they are tried: configurations from start to goal.
-  const std::vector<std::vector<Pose>>& ideas() const { return ideas_; }
-
  private:
-  void outIdeas(const std::vector<Vector3>& directions);
-  void acrossIdeas(const Pose& goal, const std::vector<Vector3>& directions);
-  void add(std::vector<Pose> idea);
+  void addMotionsOut(const std::vector<Vector3>& directions);
+  void addMotionsAcross(const Pose& goal, const std::vector<Vector3>& directions);
+  void add(std::vector<Pose> motion);
   void tryNext(PlannerHost& host);
 
   Problem problem_;
   std::unique_ptr<CollisionQuery> query_;
-  std::vector<std::vector<Pose>> ideas_;
+  /// Motions in the order in which they are tried: configurations from start to goal.
+  std::vector<std::vector<Pose>> candidates_;
   std::size_t next_ = 0;
   std::vector<RoadmapNode> nodes_;
   std::vector<RoadmapEdge> edges_;

@@ -62,11 +62,11 @@ std::vector<std::size_t> Portfolio::next(std::size_t turns, std::uint64_t work) 
     if (const std::size_t who = next(); who != kNobody) dealt.push_back(who);
     return dealt;
   }
-  Portfolio imagined = *this;
+  Portfolio trial = *this;
   while (dealt.size() < turns) {
-    const std::size_t who = imagined.next();
+    const std::size_t who = trial.next();
     if (who == kNobody) break;
-    State& state = imagined.states_[who];
+    State& state = trial.states_[who];
     if (!dealt.empty() && state.contender.entry > total_) break;
     dealt.push_back(who);
     if (state.contender.restart == Restart::Never) state.retired = true;
@@ -106,7 +106,7 @@ void Portfolio::debit(State& state, std::uint64_t work) {
   }
 }
 
-void Portfolio::encourage(std::size_t contender) {
+void Portfolio::reward(std::size_t contender) {
   State& state = states_[contender];
   state.share = kGain * state.contender.share;
   state.patience = state.contender.patience;

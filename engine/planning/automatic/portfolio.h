@@ -49,7 +49,7 @@ class Portfolio {
   /// Adds the cost of a turn to a contender.
   void charge(std::size_t contender, std::uint64_t work);
   /// A contender has made progress: its share becomes four times its first share, and its patience is reset.
-  void encourage(std::size_t contender);
+  void reward(std::size_t contender);
   /// Ends the contender's turns.
   void retire(std::size_t contender);
 

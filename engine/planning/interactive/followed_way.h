@@ -21,10 +21,10 @@ class FollowedWay {
   void follow(const RoadmapGraph& roadmap, RoadmapGraph::ComponentId tree);
   void reachedAll() { reached_ = recorder_.version(); }
   /// The tree has not reached the last point.
-  bool lags() const { return reached_ < recorder_.version(); }
+  bool isBehind() const { return reached_ < recorder_.version(); }
   /// Free points that it has not reached, in their order.
   std::vector<Pose> missing() const;
-  /// A point that it has not reached, free or not. Precondition: lags().
+  /// A point that it has not reached, free or not. Precondition: isBehind().
   const Pose& anyMissing(RandomStream& stream) const;
   bool same(const Pose& a, const Pose& b) const { return metric_.distance(a, b) <= kSame * metric_.radius(); }
 

@@ -21,7 +21,7 @@ class FreedSampler final : public ConfigurationSampler {
 
   Pose draw(const Box3& tree) override {
     const Pose q = from_->draw(tree);
-    return configuration_->freedPose(q, clearance_).value_or(q);
+    return configuration_->clearPose(q, clearance_).value_or(q);
   }
 
  private:

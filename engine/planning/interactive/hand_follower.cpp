@@ -58,7 +58,7 @@ bool HandFollower::solve(PlannerHost& host) {
 }
 
 bool HandFollower::hasWork(const OperatorSample& sample, bool extras) const {
-  return movedFar(sample.q_device) || (extras && (contactSamplesLeft_ > 0 || (gapSamplesLeft_ > 0 && way_.lags())));
+  return movedFar(sample.q_device) || (extras && (contactSamplesLeft_ > 0 || (gapSamplesLeft_ > 0 && way_.isBehind())));
 }
 
 bool HandFollower::movedFar(const Pose& q) const {
@@ -73,7 +73,7 @@ void HandFollower::step(PlannerHost& host) {
   ++counts_.iterations;
   const auto sample = host.operatorSample();
   const bool moved = sample && movedFar(sample->q_device);
-  const bool gap = gapSamplesLeft_ > 0 && way_.lags();
+  const bool gap = gapSamplesLeft_ > 0 && way_.isBehind();
   if (turn_ == Turn::Computer) {
     sampleForComputer(host);
   } else if (moved && !(gap && gapNext_)) {
@@ -100,12 +100,12 @@ void HandFollower::follow(const Pose& q, PlannerHost& host) {
     return;
   }
   const double gap = host.parameters()[ParameterId::ContactGap];
-  const auto freed = configuration_.freed(q, gap);
-  free_ = freed ? freed->q : q;
-  if (!freed || freed->moved > 0.0) ++report_.collided;
-  if (freed && freed->moved > 0.0) ++report_.movedToContact;
-  const bool another = way_.add(free_, freed ? freed->nearest : NearestObstacle(),
-                                freed ? freed->moved : ShownConfiguration::kMostMoved * metric_.radius());
+  const auto clear = configuration_.clearConfiguration(q, gap);
+  free_ = clear ? clear->q : q;
+  if (!clear || clear->moved > 0.0) ++report_.collided;
+  if (clear && clear->moved > 0.0) ++report_.movedToContact;
+  const bool another = way_.add(free_, clear ? clear->nearest : NearestObstacle(),
+                                clear ? clear->moved : ShownConfiguration::kMostMoved * metric_.radius());
   addTree(free_, Author::Operator, host);
   slide(free_, host);
   if (startTreeIsAt(free_)) {
@@ -115,11 +115,11 @@ void HandFollower::follow(const Pose& q, PlannerHost& host) {
   followWay();
   gapSamplesLeft_ = kGapSamples;
   const InteractionSettings inForce = settings(host.parameters());
-  if (!another || !freed || freed->nearest.distance >= inForce.contactDistance) return;
+  if (!another || !clear || clear->nearest.distance >= inForce.contactDistance) return;
   OperatorSample touching;
   touching.q_device = free_;
-  touching.nearest = freed->nearest;
-  contactClearance_ = freed->nearest.distance;
+  touching.nearest = clear->nearest;
+  contactClearance_ = clear->nearest.distance;
   contactSampler_.enter(touching, gap, host.parameters()[ParameterId::ContactRadius]);
   contactSamplesLeft_ = inForce.contactSamples;
 }
@@ -172,7 +172,7 @@ void HandFollower::sampleGap(PlannerHost& host) {
 }
 
 void HandFollower::sampleForComputer(PlannerHost& host) {
-  if (way_.lags() && stream_.uniform() < kGapShare) {
+  if (way_.isBehind() && stream_.uniform() < kGapShare) {
     searchGap(host);
     return;
   }
@@ -197,13 +197,13 @@ void HandFollower::slide(const Pose& q, PlannerHost& host) {
     auto near = roadmap_.nearest(component, q);
     for (int i = 0; i < kPieces && near.distance > piece && !host.stopToken().stopRequested(); ++i) {
       const Pose from = roadmap_.nodes()[near.index].q;
-      const auto freed = configuration_.freedPose(interpolate(from, q, piece / near.distance), gap);
-      if (!freed) break;
-      const double left = metric_.distance(*freed, q);
+      const auto clear = configuration_.clearPose(interpolate(from, q, piece / near.distance), gap);
+      if (!clear) break;
+      const double left = metric_.distance(*clear, q);
       if (left > near.distance - kProgress * piece) break;
       const double step = host.parameters()[ParameterId::GrowthStep];
-      if (freeFraction(*query_, from, *freed, step, host.stopToken()) < 1.0) break;
-      const auto node = roadmap_.addChild(near.index, {*freed, Author::Contact, roadmap_.nodes()[near.index].side});
+      if (freeFraction(*query_, from, *clear, step, host.stopToken()) < 1.0) break;
+      const auto node = roadmap_.addChild(near.index, {*clear, Author::Contact, roadmap_.nodes()[near.index].side});
       near = {node, left};
     }
   }
@@ -211,12 +211,12 @@ void HandFollower::slide(const Pose& q, PlannerHost& host) {
 
 void HandFollower::observe(std::size_t edgesBefore, PlannerHost& host) {
   const double reach = longestEdge(edgesBefore);
-  stepsInVain_ = reach > 0.0 ? 0 : stepsInVain_ + 1;
+  stepsWithoutGrowth_ = reach > 0.0 ? 0 : stepsWithoutGrowth_ + 1;
   tuned_ = host.parameters().integer(ParameterId::Tuning);
   if (tuned_ != 0) tuner_.observe({lastAuthor(), reach, contactClearance_});
 }
 
-void HandFollower::computerHadTurn(double reach) {
+void HandFollower::noteComputerTurn(double reach) {
   computersTurn_ = true;
   if (tuned_ != 0) tuner_.observe({Author::Computer, reach, 0.0});
 }

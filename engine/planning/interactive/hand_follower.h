@@ -33,12 +33,12 @@ class HandFollower final : public AddTreePlanner, public ReportsInteraction, pub
   bool hasWork(const OperatorSample& sample, bool extras) const;
   InteractionSettings settings(const ParameterValues& parameters) const;
   /// The portfolio had a turn with the hand held: the tuner learns from it.
-  void computerHadTurn(double reach);
+  void noteComputerTurn(double reach);
   void pathFound(bool joined, double followed);
 
   const WayRecorder& way() const { return way_.recorder(); }
   /// Steps since the trees last grew.
-  std::uint64_t stepsInVain() const { return stepsInVain_; }
+  std::uint64_t stepsWithoutGrowth() const { return stepsWithoutGrowth_; }
 
  private:
   void step(PlannerHost& host);
@@ -69,7 +69,7 @@ class HandFollower final : public AddTreePlanner, public ReportsInteraction, pub
   Turn turn_ = Turn::Hand;
   bool gapNext_ = false;  ///< while the hand moves and the trees lag, its configurations and the gap's take turns
   double contactClearance_ = 0.0;
-  std::uint64_t stepsInVain_ = 0;
+  std::uint64_t stepsWithoutGrowth_ = 0;
   int tuned_ = 0;  ///< bits of TunedSetting at the last step
   bool computersTurn_ = true;
 };

@@ -72,7 +72,7 @@ bool HandPartner::takesTurn(PlannerHost& host) {
 /// The operator's share, 1 - alpha.
 double HandPartner::share(const ParameterValues& parameters) const {
   const double share = 1.0 - follower_->settings(parameters).alpha;
-  return follower_->stepsInVain() > kPatience ? kLeftInVain * share : share;
+  return follower_->stepsWithoutGrowth() > kPatience ? kLeftInVain * share : share;
 }
 
 /// Shortens the next rounds where the hand moved far during a round, as it does in lockstep.
@@ -118,7 +118,7 @@ void HandPartner::roundDone(const RoundOutcome& outcome) {
   const double shared = board_->current() ? board_->current()->share : 0.0;
   const double hands = shared * static_cast<double>(outcome.work);
   account_.charge(outcome.turns, {outcome.work, static_cast<std::uint64_t>(hands)});
-  if (held_) follower_->computerHadTurn(outcome.reach);
+  if (held_) follower_->noteComputerTurn(outcome.reach);
 }
 
 std::unique_ptr<ConfigurationSampler> HandPartner::sampler(std::unique_ptr<ConfigurationSampler> own,

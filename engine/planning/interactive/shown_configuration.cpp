@@ -28,13 +28,14 @@ ShownConfiguration::ShownConfiguration(const Problem& problem, std::shared_ptr<E
       query_(problem.world->makeQuery()),
       eroded_(kDepths.size()) {}
 
-std::optional<ShownConfiguration::Freed> ShownConfiguration::freed(const Pose& q, double clearance) {
-  const auto found = freedPose(q, clearance);
+std::optional<ShownConfiguration::ClearConfiguration> ShownConfiguration::clearConfiguration(const Pose& q,
+                                                                                             double clearance) {
+  const auto found = clearPose(q, clearance);
   if (!found) return std::nullopt;
-  return Freed{*found, query_->nearestObstacle(*found), metric_.distance(q, *found)};
+  return ClearConfiguration{*found, query_->nearestObstacle(*found), metric_.distance(q, *found)};
 }
 
-std::optional<Pose> ShownConfiguration::freedPose(const Pose& q, double clearance) {
+std::optional<Pose> ShownConfiguration::clearPose(const Pose& q, double clearance) {
   if (!query_->collides(q)) return q;
   auto found = retractedFrom(q, q, clearance);
   for (int attempt = 1; !found && attempt <= attempts_; ++attempt) {

@@ -17,16 +17,16 @@ class ShownConfiguration {
   /// `attempts`: number of other configurations nearby that are tried where one cannot be retracted.
   ShownConfiguration(const Problem& problem, std::shared_ptr<ErodedWorlds> worlds, std::uint64_t seed, int attempts);
 
-  struct Freed {
+  struct ClearConfiguration {
     Pose q;
     NearestObstacle nearest;  ///< nearest obstacle at q; distance above 0
     double moved = 0.0;       ///< distance from the shown configuration, metres in the metric; 0 where that was free
   };
   /// The free configuration; nothing where none was found within the bound. `clearance`: clearance of a retracted
   /// configuration, metres.
-  std::optional<Freed> freed(const Pose& q, double clearance);
+  std::optional<ClearConfiguration> clearConfiguration(const Pose& q, double clearance);
   /// The free configuration alone, without its nearest obstacle: cheaper where q is free.
-  std::optional<Pose> freedPose(const Pose& q, double clearance);
+  std::optional<Pose> clearPose(const Pose& q, double clearance);
 
   /// Counts of all its queries.
   QueryCounts counts() const;

@@ -9,6 +9,7 @@
 #include "engine/base/file.h"
 #include "engine/base/file_save.h"
 #include "engine/base/number_text.h"
+#include "engine/planning/planner.h"
 #include "engine/study/benchmarks/benchmark_results.h"
 #include "engine/study/cell_value.h"
 #include "engine/study/report_html.h"
@@ -21,8 +22,6 @@ namespace {
 
 constexpr const char* kOurs = "auto";
 
-constexpr const char* kPeerPrefix = "peer-";
-
 /// A cell with its results.
 struct Entry {
   const StudyCell* cell;
@@ -32,7 +31,7 @@ struct Entry {
 
 /// How the planner of a cell looks at edges.
 std::string edgesOf(const StudyCell& cell) {
-  if (cell.strategy.rfind(kPeerPrefix, 0) != 0) return "certified";
+  if (!cell.strategy.starts_with(kPeerPrefix)) return "certified";
   return "every " + toText(100.0 * cell.parameters.at(ParameterId::OmplResolution)) + " %";
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "engine/base/enum_names.h"
 #include "engine/base/file.h"
 #include "engine/base/json_reader.h"
 #include "engine/base/limits.h"
@@ -12,18 +13,8 @@ namespace {
 
 constexpr const char* kTemplateFormat = "glissade-instruction-template";
 constexpr int kTemplateVersion = 1;
-constexpr std::array<const char*, kAllPartsColumns.size()> kColumnNames{"picture", "part", "designation", "count",
-                                                                        "steps"};
-
-PartsColumn columnIn(const JsonCursor& at) {
-  const std::string word = at.text();
-  const auto found = std::find(kColumnNames.begin(), kColumnNames.end(), word);
-  if (found == kColumnNames.end()) {
-    at.fail(GLISSADE_TEXT("is no column of the parts list"),
-            GLISSADE_TEXT("Take picture, part, designation, count or steps."));
-  }
-  return kAllPartsColumns[static_cast<std::size_t>(found - kColumnNames.begin())];
-}
+constexpr EnumNames<PartsColumn, kAllPartsColumns.size()> kColumnNames{
+    {"picture", "part", "designation", "count", "steps"}};
 
 std::vector<PartsColumn> columnsIn(const JsonCursor& at) {
   std::vector<PartsColumn> columns;
@@ -31,7 +22,7 @@ std::vector<PartsColumn> columnsIn(const JsonCursor& at) {
   if (count == 0)
     at.fail(GLISSADE_TEXT("names no column"), GLISSADE_TEXT("Name at least one column, or leave the member out."));
   for (std::size_t i = 0; i < count; ++i) {
-    const PartsColumn column = columnIn(at.element(i));
+    const PartsColumn column = at.element(i).named(kColumnNames);
     if (std::find(columns.begin(), columns.end(), column) != columns.end()) {
       at.element(i).fail(GLISSADE_TEXT("is given twice"), GLISSADE_TEXT("Name each column once."));
     }
@@ -60,8 +51,7 @@ std::string logoIn(const JsonCursor& at) {
 
 InstructionTemplate templateIn(const JsonCursor& at) {
   at.allowOnly({"format", "version", "description", "company", "document", "logo", "columns", "language", "paper"});
-  if (at.at("format").text() != kTemplateFormat)
-    at.at("format").fail({GLISSADE_TEXT("is not %1"), {kTemplateFormat}});
+  if (at.at("format").text() != kTemplateFormat) at.at("format").fail({GLISSADE_TEXT("is not %1"), {kTemplateFormat}});
   if (at.at("version").number() != kTemplateVersion) {
     at.at("version").fail({GLISSADE_TEXT("is not %1"), {kTemplateVersion}});
   }

@@ -152,12 +152,12 @@ TEST(MotionAccess, EveryToolIsHeldWithoutAHandInThePlate) {
   for (const ToolKind tool : {ToolKind::HexKey, ToolKind::Socket, ToolKind::OpenWrench}) {
     const std::vector<RigidBody> bodies = screwInPlate();
     const MotionAccess access = accessOf(bodies, HandSize::LargeMan, tool);
-    ASSERT_EQ(access.hand.access, HandAccess::Free) << toolName(tool);
+    ASSERT_EQ(access.hand.access, HandAccess::Free) << kToolNames.of(tool);
     const PlacedHand placed = placedHand(access, Pose::identity());
-    EXPECT_FALSE(fclTouches(placed.hand, placed.X_WH, withoutFirst(bodies))) << toolName(tool);
-    EXPECT_FALSE(fclTouches(placed.tool, placed.X_WT, withoutFirst(bodies))) << toolName(tool);
+    EXPECT_FALSE(fclTouches(placed.hand, placed.X_WH, withoutFirst(bodies))) << kToolNames.of(tool);
+    EXPECT_FALSE(fclTouches(placed.tool, placed.X_WT, withoutFirst(bodies))) << kToolNames.of(tool);
     const double across = (placed.X_WH.position - access.hand.hold.X_WT.position).head<2>().norm();
-    EXPECT_GT(across, 0.03) << "at the end of the handle: " << toolName(tool);
+    EXPECT_GT(across, 0.03) << "at the end of the handle: " << kToolNames.of(tool);
   }
 }
 

@@ -123,19 +123,19 @@ TEST(PlanVerdict, AJointOfTheStepIsAThread) {
   product.fits.pairs.clear();
   AssemblyPlan plan = test::planOf(product, "plate");
   ASSERT_EQ(plan.steps[0].method, "straight");
-  const auto isSaid = [&] {
+  const auto isReported = [&] {
     const check::StepVerdict step = judgePlan(plan, product, std::nullopt).steps[0];
     return !step.pulls.empty() || !step.refusals.empty();
   };
-  EXPECT_FALSE(isSaid());
+  EXPECT_FALSE(isReported());
   const std::string other = plan.steps[0].body == "bolt" ? "nut" : "bolt";
   plan.steps[0].joints = {{JointKind::Pin, plan.steps[0].body, {other}}};
-  EXPECT_FALSE(isSaid());
+  EXPECT_FALSE(isReported());
   for (const JointKind kind : {JointKind::Nut, JointKind::Screw, JointKind::Thread}) {
     plan.steps[0].joints = {{kind, plan.steps[0].body, {other}}};
-    EXPECT_TRUE(isSaid());
+    EXPECT_TRUE(isReported());
     plan.steps[0].joints = {{kind, other, {plan.steps[0].body}}};
-    EXPECT_TRUE(isSaid());
+    EXPECT_TRUE(isReported());
   }
 }
 

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "engine/planning/ompl/ompl_planner.h"
+#include "engine/study/benchmarks/peer_planners.h"
 #include "tests/engine/support/test_host.h"
 #include "tests/engine/support/test_worlds.h"
 
@@ -272,6 +273,22 @@ TEST(OmplPlanners, AreInBothRegistries) {
     EXPECT_NE(makePlannerRegistry().find(id), nullptr) << id;
     EXPECT_NE(makeLocalPlannerRegistry().find(id), nullptr) << id;
   }
+}
+
+/// Peers belong to benchmarks: the product's registries have none.
+TEST(OmplPlanners, OfBenchmarksAreInNeitherRegistry) {
+  PlannerRegistry peers;
+  registerPeerPlanners(peers);
+  EXPECT_EQ(idsOf(peers),
+            (std::vector<std::string>{"peer-rrtconnect", "peer-rrt", "peer-trrt", "peer-bitrrt", "peer-bkpiece"}));
+  for (const std::string& id : idsOf(peers)) {
+    EXPECT_EQ(makePlannerRegistry().find(id), nullptr) << id;
+    EXPECT_EQ(makeLocalPlannerRegistry().find(id), nullptr) << id;
+    EXPECT_NE(makePlannerRegistryWithPeers().find(id), nullptr) << id;
+  }
+  EXPECT_EQ(toString(unknownPlanner("peer-rrt", {}).reason),
+            "'peer-rrt' is a planner for comparison, which only glissade-cli has");
+  EXPECT_EQ(toString(unknownPlanner("warp", {}).reason), "there is no planner 'warp'");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "engine/planning/planner.h"
+#include "engine/study/benchmarks/peer_planners.h"
 #include "tests/engine/support/test_host.h"
 #include "tests/engine/support/test_worlds.h"
 
@@ -24,6 +25,12 @@ struct Entry {
   }
 };
 
+PlannerRegistry makePeerRegistry() {
+  PlannerRegistry peers;
+  registerPeerPlanners(peers);
+  return peers;
+}
+
 std::vector<Entry> allEntries() {
   std::vector<Entry> all;
   const auto addFrom = [&](PlannerRegistry (*make)(), const char* name) {
@@ -32,6 +39,7 @@ std::vector<Entry> allEntries() {
   };
   addFrom(makePlannerRegistry, "whole");
   addFrom(makeLocalPlannerRegistry, "local");
+  addFrom(makePeerRegistry, "peer");
   for (const int slots : {2, 4}) {
     for (const char* id : {"auto", "interactive"}) all.push_back({makePlannerRegistry, "whole", id, slots});
   }

@@ -280,9 +280,9 @@ TEST(JointFinder, TheDriveAndItsSizeAreReadFromTheMesh) {
     parts.add("block", blockMesh(0.0021, 0.015, 0.03, -0.03, 0.0))
         .add("screw", screwMesh(d, 0.012, head.head, 0.0032, head.recess));
     const Joints joints = findJoints(parts.product());
-    ASSERT_EQ(joints.size(), 1U) << driveName(head.drive);
-    EXPECT_EQ(joints[0].drive, head.drive) << driveName(joints[0].drive);
-    EXPECT_NEAR(joints[0].driveSize, head.size, 0.03 * head.size) << driveName(head.drive);
+    ASSERT_EQ(joints.size(), 1U) << kDriveNames.of(head.drive);
+    EXPECT_EQ(joints[0].drive, head.drive) << kDriveNames.of(joints[0].drive);
+    EXPECT_NEAR(joints[0].driveSize, head.size, 0.03 * head.size) << kDriveNames.of(head.drive);
   }
 }
 

@@ -5,23 +5,6 @@
 namespace glissade {
 namespace {
 
-TEST(Joint, KindsStatesAndDrivesHaveNames) {
-  for (int i = 0; i <= static_cast<int>(JointKind::Unit); ++i) {
-    const auto kind = static_cast<JointKind>(i);
-    EXPECT_EQ(jointByName(jointName(kind)), kind);
-  }
-  for (const JointState state : {JointState::Recognised, JointState::Suggested, JointState::Confirmed}) {
-    EXPECT_EQ(jointStateByName(jointStateName(state)), state);
-  }
-  for (int i = 0; i <= static_cast<int>(DriveKind::SixLobe); ++i) {
-    const auto drive = static_cast<DriveKind>(i);
-    EXPECT_EQ(driveByName(driveName(drive)), drive);
-  }
-  EXPECT_FALSE(jointByName("rivet"));
-  EXPECT_FALSE(jointStateByName(""));
-  EXPECT_FALSE(driveByName("torx"));
-}
-
 TEST(Joint, TurnsAreThoseUntilTheThreadIsFree) {
   JointThread thread{0.008, -0.00125, true, 0.005};
   EXPECT_NEAR(thread.turns(), 4.0, 1e-9) << "whatever the hand";

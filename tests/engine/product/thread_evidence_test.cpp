@@ -317,7 +317,7 @@ bool isRight(const Joints& joints, const Answer& answer) {
 std::string inWords(const Joints& joints) {
   std::string words;
   for (const Joint& joint : joints) {
-    words += std::string(jointStateName(joint.state)) + " " + jointName(joint.kind) + " of " +
+    words += std::string(kJointStateNames.of(joint.state)) + " " + kJointKindNames.of(joint.kind) + " of " +
              std::to_string(joint.body) + (joint.isDoubtful ? " (?): " : ": ");
     words += toString(joined(joint.evidence, "; ")) + "; ";
   }

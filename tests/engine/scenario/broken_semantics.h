@@ -20,8 +20,9 @@ inline const std::vector<BrokenScenario>& brokenSemantics() {
       {R"([{"op": "add", "path": "/environment/depth", "value": 1}])", "/environment/depth", "unknown key"},
       // definitions of attributes
       {R"([{"op": "replace", "path": "/attributes/0/type", "value": "real"}])", "/attributes/0/type",
-       "not a type of attribute"},
-      {R"([{"op": "replace", "path": "/attributes/0/of", "value": "border"}])", "/attributes/0/of", "neither"},
+       "is not one of: bool"},
+      {R"([{"op": "replace", "path": "/attributes/0/of", "value": "border"}])", "/attributes/0/of",
+       "is not one of: place"},
       {R"([{"op": "replace", "path": "/attributes/0/name", "value": "Weight"}])", "/attributes", "not a word"},
       {R"([{"op": "replace", "path": "/attributes/2/name", "value": "weight"}])", "/attributes", "already", false},
       {R"([{"op": "replace", "path": "/attributes/1/name", "value": "complexity"}])", "/attributes", "already", false},

@@ -61,13 +61,14 @@ TEST(JointsJson, EachFaultIsNamedWithItsPlace) {
     const char* reason;
   };
   const std::vector<Fault> faults{
-      {R"([{"op": "replace", "path": "/joints/0/kind", "value": "rivet"}])", "/joints/0/kind", "not a kind of joint"},
-      {R"([{"op": "replace", "path": "/joints/0/word", "value": "loose"}])", "/joints/0/word", "no word"},
+      {R"([{"op": "replace", "path": "/joints/0/kind", "value": "rivet"}])", "/joints/0/kind", "is not one of: screw"},
+      {R"([{"op": "replace", "path": "/joints/0/word", "value": "loose"}])", "/joints/0/word",
+       "is not one of: confirmed"},
       {R"([{"op": "remove", "path": "/joints/0/body"}])", "/joints/0/body", "missing"},
       {R"([{"op": "add", "path": "/joints/0/made/x", "value": 1}])", "/joints/0/made/x", "unknown key"},
       {R"([{"op": "replace", "path": "/joints/1/made/bend_m", "value": -1}])", "/joints/1/made/bend_m", "below zero"},
       {R"([{"op": "replace", "path": "/joints/0/made/drive", "value": "torx"}])", "/joints/0/made/drive",
-       "not a drive"},
+       "is not one of: none"},
       {R"([{"op": "replace", "path": "/joints/0/made/direction", "value": [0, 0, 0]}])", "/joints/0/made/direction",
        "no length"},
       {R"([{"op": "replace", "path": "/joints/0/made/thread/pitch_m", "value": 0}])", "/joints/0/made/thread/pitch_m",

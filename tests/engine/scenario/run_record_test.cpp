@@ -349,8 +349,10 @@ TEST_F(ReplayLog, IsRefusedWithValuesThatCannotBe) {
   record_.log.parameterChanges = {{1, ParameterId::Alpha, 7.0}};
   EXPECT_EQ(refusal(), "run.json: alpha");
   record_.log.parameterChanges.clear();
-  record_.log.start.planner = "warp";
-  EXPECT_EQ(refusal(), "run.json: /planner");
+  for (const char* planner : {"warp", "peer-rrt"}) {
+    record_.log.start.planner = planner;
+    EXPECT_EQ(refusal(), "run.json: /planner") << planner;
+  }
   record_.log.start.planner = "gts";
   auto edits = std::make_shared<SemanticEdits>();
   edits->bodies["nowhere"]["mobility"] = std::string("mobile");

@@ -139,13 +139,5 @@ TEST(Fasteners, ACountersunkScrewIsOneByItsCone) {
   EXPECT_NEAR((product.bodies[1].X_WB * head->end).z(), 6e-3, 1e-6);
 }
 
-TEST(Fasteners, HaveNames) {
-  for (const FastenerKind kind :
-       {FastenerKind::None, FastenerKind::Screw, FastenerKind::Nut, FastenerKind::Washer, FastenerKind::Pin}) {
-    EXPECT_EQ(fastenerByName(fastenerName(kind)), kind);
-  }
-  EXPECT_FALSE(fastenerByName("rivet").has_value());
-}
-
 }  // namespace
 }  // namespace glissade

@@ -152,8 +152,6 @@ TEST(JointRules, SuggestedJointsCountWhereTheyAreAskedFor) {
   EXPECT_EQ(countingJoints(joints, JointUse::Off).size(), 0U);
   EXPECT_EQ(countingJoints(joints, JointUse::Recognised).size(), 1U);
   EXPECT_EQ(countingJoints(joints, JointUse::Suggested).size(), 2U);
-  EXPECT_EQ(jointUseByName("suggested"), JointUse::Suggested);
-  EXPECT_FALSE(jointUseByName("all"));
 }
 
 TEST(TurnedAlong, NoEdgeTurnsByHalfACircleAndAFrameOffTheAxisHasMoreOfThem) {

@@ -48,10 +48,10 @@ TEST(StuckReasons, APartOfSolidsThatDoNotTouchMayBeOpened) {
     product.bodies[1].mesh = std::make_shared<const TriangleMesh>(two);
     const AssemblyPlan plan = plainPlanOf(product);
     ASSERT_EQ(plan.stuck.size(), 1U);
-    const auto isSaid = HasSubstr(
+    const auto isReported = HasSubstr(
         "; 'sunk' is one part of 2 solids that do not touch each other: take these as parts "
         "(--open \"sunk\", ");
-    const bool isNamed = testing::Value(toString(plan.stuck[0].reason), isSaid);
+    const bool isNamed = testing::Value(toString(plan.stuck[0].reason), isReported);
     EXPECT_EQ(isNamed, isOfCadFile) << toString(plan.stuck[0].reason);  // a mesh cannot be opened
   }
 }

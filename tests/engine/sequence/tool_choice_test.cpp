@@ -48,7 +48,7 @@ TEST(ToolChoice, TheDriveOfAJointCountsBeforeTheShape) {
         std::pair{DriveKind::SixLobe, ToolKind::Screwdriver}}) {
     const ToolChoices tools = toolsOf({fastener(JointKind::Screw, 1, {0}, drive)});
     ASSERT_FALSE(tools[1].empty());
-    EXPECT_EQ(tools[1].front().kind, tool) << driveName(drive);
+    EXPECT_EQ(tools[1].front().kind, tool) << kDriveNames.of(drive);
   }
   EXPECT_EQ(toolsOf({fastener(JointKind::Screw, 1, {0}, DriveKind::None)}), toolsOf({})) << "no drive is known";
 }

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "engine/planning/coarse/scene_knowledge.h"
+#include "engine/session/session_with_planners.h"
+#include "engine/study/benchmarks/peer_planners.h"
 #include "tests/engine/support/environment_worlds.h"
 #include "tests/engine/support/forbidden_boxes.h"
 #include "tests/engine/support/session_support.h"
@@ -59,7 +61,7 @@ std::unique_ptr<LockstepSession> sessionOf(const Problem& problem, const std::st
   EXPECT_TRUE(config.parameters.set(ParameterId::MaxSteps, kMostSteps));
   EXPECT_TRUE(config.parameters.set(ParameterId::StepSamples, 5000));
   EXPECT_TRUE(config.parameters.set(ParameterId::Smoothing, 50));
-  return makeLockstepSession(std::move(config));
+  return makeLockstepSession(std::move(config), makePlannerRegistryWithPeers());
 }
 
 SnapshotPtr ended(LockstepSession& session) {
@@ -72,7 +74,7 @@ SnapshotPtr ended(LockstepSession& session) {
 class Forbidden : public testing::TestWithParam<std::string> {
  protected:
   /// False for unmodified OMPL planners, which may give up, and for the paper's strategies without a loop, which do.
-  bool isComplete() const { return makePlannerRegistry().find(GetParam())->complete; }
+  bool isComplete() const { return makePlannerRegistryWithPeers().find(GetParam())->complete; }
 };
 
 TEST_P(Forbidden, APathLeadsAroundThePlace) {
@@ -159,14 +161,14 @@ TEST_P(Forbidden, ThePlaneOfTheFloorIsNoWay) {
   EXPECT_TRUE(config.parameters.set(ParameterId::MaxSteps, 1000));
   EXPECT_TRUE(config.parameters.set(ParameterId::StepSamples, 300));
   EXPECT_TRUE(config.parameters.set(ParameterId::Smoothing, 20));
-  const auto session = makeLockstepSession(std::move(config));
+  const auto session = makeLockstepSession(std::move(config), makePlannerRegistryWithPeers());
   const SnapshotPtr end = ended(*session);
   ASSERT_EQ(end->state, SessionState::Failed);
   EXPECT_EQ(end->path, nullptr);
   EXPECT_NE(toString(end->problem->reason).find(places.front().name), std::string::npos) << toString(*end->problem);
 }
 
-std::vector<std::string> everyStrategy() { return idsOf(makePlannerRegistry()); }
+std::vector<std::string> everyStrategy() { return idsOf(makePlannerRegistryWithPeers()); }
 
 INSTANTIATE_TEST_SUITE_P(Strategies, Forbidden, testing::ValuesIn(everyStrategy()), [](const auto& parameter) {
   std::string name = parameter.param;
@@ -197,7 +199,8 @@ TEST(ForbiddenPlace, TheStartOnItsBoundaryIsSaid) {
     const SnapshotPtr end = ended(*sessionOf(problem, "gts"));
     ASSERT_EQ(end->state, SessionState::Failed);
     EXPECT_EQ(toString(end->problem->location), "start");
-    EXPECT_NE(toString(end->problem->reason).find("lies on the boundary of"), std::string::npos) << toString(*end->problem);
+    EXPECT_NE(toString(end->problem->reason).find("lies on the boundary of"), std::string::npos)
+        << toString(*end->problem);
   }
 }
 

@@ -13,9 +13,9 @@ namespace glissade {
 namespace {
 
 /// Changes all inputs at random while a run goes on. The draws depend on the seed only.
-class Fiddler {
+class RandomInputs {
  public:
-  Fiddler(const Problem& problem, std::uint64_t seed) : problem_(problem), random_(seed, "fiddler") {}
+  RandomInputs(const Problem& problem, std::uint64_t seed) : problem_(problem), random_(seed, "inputs") {}
 
   SessionConfig config() {
     SessionConfig config = sessionConfig(problem_);
@@ -94,17 +94,17 @@ TEST(ReplaySession, AHundredRunsReplayBitByBit) {
   int withSteps = 0;
   std::size_t changes = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-    Fiddler fiddler(problem, seed);
-    const auto session = makeLockstepSession(fiddler.config());
+    RandomInputs inputs(problem, seed);
+    const auto session = makeLockstepSession(inputs.config());
     session->post(command::Start{});
     for (int slice = 0; slice < 12; ++slice) {
-      session->advance(fiddler.index(25));
-      if (fiddler.index(3) == 0) {
+      session->advance(inputs.index(25));
+      if (inputs.index(3) == 0) {
         session->post(command::Pause{});
-        session->advance(fiddler.index(10));
+        session->advance(inputs.index(10));
         session->post(command::Resume{});
       }
-      session->post(fiddler.command());
+      session->post(inputs.command());
     }
     session->post(command::Stop{});
     session->advance(0);
@@ -147,14 +147,14 @@ TEST(ReplaySession, RunsInRealTimeReplayBitByBit) {
   const Problem problem = closedProblem();
   std::uint64_t steps = 0;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    Fiddler fiddler(problem, seed);
-    const auto session = makeThreadedSession(fiddler.config());
+    RandomInputs inputs(problem, seed);
+    const auto session = makeThreadedSession(inputs.config());
     session->post(command::Start{});
     for (int i = 0; i < 30; ++i) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(fiddler.index(6)));
-      session->post(fiddler.command());
-      if (fiddler.index(4) == 0) session->post(command::Pause{});
-      if (fiddler.index(2) == 0) session->post(command::Resume{});
+      std::this_thread::sleep_for(std::chrono::milliseconds(inputs.index(6)));
+      session->post(inputs.command());
+      if (inputs.index(4) == 0) session->post(command::Pause{});
+      if (inputs.index(2) == 0) session->post(command::Resume{});
     }
     session->post(command::Stop{});
     ASSERT_TRUE(waitFor(*session, hasEnded));
@@ -212,7 +212,7 @@ TEST(ReplaySession, AnotherParameterMakesAnotherRunThatGoesOn) {
   RunLog log = recordedRun(closedProblem(), 300);
   overrideParameter(ParameterId::Alpha, 0.05, log);
   EXPECT_TRUE(log.parameterChanges.empty());
-  const auto replay = makeReplaySession(closedProblem(), std::make_shared<const RunLog>(log), ReplayEnd::GoOn);
+  const auto replay = makeReplaySession(closedProblem(), std::make_shared<const RunLog>(log), ReplayEnd::Continue);
   replay->post(command::Start{});
   replay->advance(400);
   EXPECT_EQ(replay->snapshot()->counts.steps, 400U);

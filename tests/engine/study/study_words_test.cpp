@@ -20,7 +20,8 @@ TEST(StudyWords, PutsArgumentsWhereTheLanguageHasThem) {
   EXPECT_EQ(english(GLISSADE_TEXT("%1 of %2"), {"3", "4"}), "3 of 4");
   EXPECT_EQ(french(GLISSADE_TEXT("%1 of %2"), {"3", "4"}), "3 sur 4");
   EXPECT_EQ(english(std::string("success rate in %.")), "success rate in %.");
-  EXPECT_EQ(french(GLISSADE_TEXT("%1 over %2"), {"%2", "x"}), "%2 selon x");  // placeholders within arguments are not replaced
+  EXPECT_EQ(french(GLISSADE_TEXT("%1 over %2"), {"%2", "x"}),
+            "%2 selon x");  // placeholders within arguments are not replaced
 }
 
 TEST(StudyWords, WhatIsNotKnownStaysAsItIs) {
@@ -56,7 +57,9 @@ TEST(StudyWords, ThePapersStudiesAreWhollyTranslated) {
     for (const std::string& sentence : sentencesOf(*study)) EXPECT_TRUE(hasFrench(sentence)) << sentence;
   }
   EXPECT_GE(studies, 7U);
-  for (std::size_t i = 0; i < kRunStatusCount; ++i) EXPECT_TRUE(hasFrench(name(static_cast<RunStatus>(i))));
+  for (std::size_t i = 0; i < kRunStatusCount; ++i) {
+    EXPECT_TRUE(hasFrench(kRunStatusNames.of(static_cast<RunStatus>(i))));
+  }
   for (const Verdict verdict : {Verdict::Holds, Verdict::Refuted, Verdict::Open}) {
     EXPECT_TRUE(hasFrench(name(verdict)));
   }

@@ -21,7 +21,7 @@ namespace {
 }
 
 /// Runs the child to its next stop. False: there is none, because it ended.
-bool goOn(pid_t child, int& status) {
+bool resumeChild(pid_t child, int& status) {
   ::ptrace(PTRACE_SYSCALL, child, nullptr, nullptr);
   ::waitpid(child, &status, 0);
   return WIFSTOPPED(status);
@@ -44,7 +44,7 @@ bool finishCall(pid_t child, const CallFate& fate, int& status) {
     registers.orig_rax = static_cast<unsigned long long>(-1);  // no call has this number
     ::ptrace(PTRACE_SETREGS, child, nullptr, &registers);
   }
-  if (!goOn(child, status)) return false;
+  if (!resumeChild(child, status)) return false;
   if (fails) {
     registers = registersOf(child);
     registers.rax = static_cast<unsigned long long>(-static_cast<long long>(fate.error));
@@ -76,7 +76,7 @@ TracedRun runTraced(const std::function<int()>& work, const std::function<CallFa
   int status = 0;
   ::waitpid(child, &status, 0);
   if (WIFSTOPPED(status)) ::ptrace(PTRACE_SETOPTIONS, child, nullptr, PTRACE_O_TRACESYSGOOD | PTRACE_O_EXITKILL);
-  while (WIFSTOPPED(status) && goOn(child, status) && isCallStop(status)) {
+  while (WIFSTOPPED(status) && resumeChild(child, status) && isCallStop(status)) {
     const auto number = static_cast<long>(registersOf(child).orig_rax);
     if (number == SYS_exit_group) break;
     const CallFate decided = fate(run.calls.size());

@@ -294,7 +294,7 @@ TEST_F(ManyBodiesInHeadsetTest, BodiesThatStandStillAreDrawnTogetherAndWhatChang
   expectLikeWindow("moved");
   view_.setHiddenBodies({"box-0", "box-1", "box-2", "box-40"});
   expectLikeWindow("hidden");
-  view_.putBackObstacles();
+  view_.restoreObstacles();
   view_.setHiddenBodies({});
   view_.setBodyDisplayModes({{"box-50", DisplayMode::Wireframe}});
   expectLikeWindow("wireframe");

@@ -14,7 +14,7 @@ class GodObjectInTheWindow : public testing::Test {
  protected:
   void follow(const Pose& X_WD, int cycles) {
     for (int i = 0; i < cycles; ++i) {
-      if (object.curious()) object.learn(lookAround(*query, object.pose(), 0.2));
+      if (object.needsSurroundings()) object.learn(lookAround(*query, object.pose(), 0.2));
       object.follow(X_WD);
     }
   }

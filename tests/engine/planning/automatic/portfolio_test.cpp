@@ -93,7 +93,7 @@ TEST(Portfolio, PatienceUsedUpHalvesTheShareDownToALeast) {
   EXPECT_NEAR(ratioUntil(4000), 4.0, 0.1);
   EXPECT_NEAR(ratioUntil(8000), 8.0, 0.1);
   EXPECT_NEAR(ratioUntil(16000), 8.0, 0.1);  // 8 instead of 16
-  portfolio.encourage(0);
+  portfolio.reward(0);
   EXPECT_NEAR(ratioUntil(17000), 0.25, 0.1);
   EXPECT_NEAR(ratioUntil(18000), 0.5, 0.1);
 }

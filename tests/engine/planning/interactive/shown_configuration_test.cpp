@@ -25,7 +25,7 @@ TEST(ShownConfiguration, WhatIsFreedDoesNotPenetrateAndIsNear) {
     Pose q = randomPose(stream, 1.0);
     q.position.x() = stream.uniform(-0.5, 0.5);
     const bool collides = oracle->collides(q);
-    const auto found = configuration.freed(q, 1e-3 * radius);
+    const auto found = configuration.clearConfiguration(q, 1e-3 * radius);
     collided += collides ? 1 : 0;
     if (!found) {
       EXPECT_TRUE(collides);

@@ -150,7 +150,7 @@ int readControllers() { return read(&RuntimeState::syncs); }
 
 void FakeController::put(const ControllerMoment& moment, Time now) { *this = {moment, moment, now, {}, {}}; }
 
-void FakeController::goOn(Time now) {
+void FakeController::advanceTo(Time now) {
   if (script.empty()) return;
   const ControllerMoment next = script.front();
   const double passed = std::chrono::duration<double>(now - since).count();

@@ -141,7 +141,7 @@ XRAPI_ATTR XrResult XRAPI_CALL syncActions(XrSession /*session*/, const XrAction
   if (state.sessionState != XR_SESSION_STATE_FOCUSED) return XR_SESSION_NOT_FOCUSED;
   ++state.syncs;
   const auto now = std::chrono::steady_clock::now();
-  for (FakeController& controller : state.controllers) controller.goOn(now);
+  for (FakeController& controller : state.controllers) controller.advanceTo(now);
   state.changed.notify_all();
   return XR_SUCCESS;
 }

@@ -37,7 +37,7 @@ struct FakeController {
   void put(const ControllerMoment& moment, Time now);
   /// Takes the next moment from the script if it is due. It takes one moment at most, so that the program sees each of
   /// them.
-  void goOn(Time now);
+  void advanceTo(Time now);
 
   ControllerMoment shown;    ///< state for the program
   ControllerMoment reached;  ///< last moment of the script that was reached
