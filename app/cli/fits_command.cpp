@@ -253,7 +253,9 @@ int runFits(const FitsOptions& options) {
     return reportError(why, options.console);
   }
   const std::vector<PairFit>& rows = table->pairs();
-  reportWarnings(warningsOfPlainOverlaps(rows), options.console);
+  // A clash that is accepted and refused all the same needs words.
+  const bool accepts = product.fits.acceptedClash > 0.0;
+  reportWarnings(accepts ? table->warnings() : warningsOfPlainOverlaps(rows), options.console);
   reportWarnings(warningsOf(findAlternatives(product.bodies, interrupt.token()), product.bodies), options.console);
   const Volumes volumes = options.csv ? Volumes(rows.size()) : commonVolumesOf(rows, options, interrupt.token());
   if (options.console.json) {

@@ -394,6 +394,11 @@ void PlanPrinter::print(const AssemblyPlan& plan, double seconds) const {
   printSteps(plan.steps, "", "");
   printLines(plan.lines, plan.steps.size(), "", "  ");
   printStuck(plan.stuck, "");
+  if (plan.parts() == 0) {
+    console_.print(
+        GLISSADE_TEXT("nothing leaves: every body stays, or a joint holds it to one that stays. See "
+                      "'glissade-cli joints', and dissolve a joint in a scenario."));
+  }
   const std::size_t apart = bodiesApart(plan);
   if (apart < plan.removed()) {
     console_.print({GLISSADE_TEXT("%1 of the parts that leave do so in groups that are not taken apart"),

@@ -75,7 +75,20 @@ bool isUnbroken(const std::vector<Around>& crests, double pitch) {
   return crests.size() >= kFewest;
 }
 
-/// Some of the crests, in equal steps of their order: there are about 1500 trials of a pitch, and each looks at them all.
+/// True if crests at one height are around the axis, as at the rim of a cylinder: no turn back puts them on one side.
+bool haveRim(const std::vector<Around>& crests) {
+  constexpr double kOneHeight = 1e-6;
+  for (auto first = crests.begin(); first != crests.end();) {
+    const auto last =
+        std::find_if(first, crests.end(), [&](const Around& each) { return each.height - first->height > kOneHeight; });
+    if (areAround({first, last})) return true;
+    first = last;
+  }
+  return false;
+}
+
+/// Some of the crests, in equal steps of their order: there are up to 1500 trials of a pitch, and each looks at them
+/// all.
 std::vector<Around> someOf(const std::vector<Around>& crests) {
   constexpr std::size_t kMostTried = 480;
   const std::size_t step = (crests.size() + kMostTried - 1) / kMostTried;
@@ -89,7 +102,7 @@ std::vector<Around> someOf(const std::vector<Around>& crests) {
 std::optional<double> pitchOfHelix(const std::vector<Around>& crests, double diameter) {
   constexpr double kBetter = 1.01;
   constexpr double kLeastLength = 0.6;
-  if (!isUnbroken(crests, (1.0 + kPitchOff) * kMostPitch * diameter)) return std::nullopt;
+  if (haveRim(crests) || !isUnbroken(crests, (1.0 + kPitchOff) * kMostPitch * diameter)) return std::nullopt;
   const std::vector<Around> tried = someOf(crests);
   const double span = crests.back().height - crests.front().height;
   double best = 0.0;

@@ -447,6 +447,26 @@ std::optional<double> wrenchFlats(const TurnedShape& shape) {
   return isCollar ? std::optional(flats) : std::nullopt;
 }
 
+bool hasTeeth(const TurnedShape& shape) {
+  constexpr int kFewestTeeth = 5;
+  constexpr double kLeastDepth = 0.02;  // of the radius
+  constexpr double kLeastShare = 0.3;   // of the length of the shaft
+  double toothed = 0.0;
+  for (const AxialSlab& slab : shape.slabs) {
+    if (slab.high > shape.headLow) break;
+    const double most = slab.outerMost();
+    const double middle = 0.5 * (most + slab.outerLeast());
+    if (most - middle < 0.5 * kLeastDepth * most) continue;
+    int teeth = 0;
+    for (std::size_t i = 0; i < slab.farthest.size(); ++i) {
+      const double next = slab.farthest[(i + 1) % slab.farthest.size()];
+      teeth += slab.farthest[i] < middle && next >= middle ? 1 : 0;
+    }
+    toothed += teeth >= kFewestTeeth ? slab.length() : 0.0;
+  }
+  return toothed >= kLeastShare * (shape.headLow - shape.low);
+}
+
 std::optional<TurnedShape> turnedShapeOf(const TriangleMesh& mesh, const AxialMesh& axial) {
   const MainAxes axes = mainAxesOf(axial.tree());
   std::vector<TurnedShape> round;

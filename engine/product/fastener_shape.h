@@ -41,4 +41,7 @@ std::optional<TurnedShape> turnedShapeOf(const TriangleMesh& mesh, const AxialMe
 /// fitting, a hollow screw. Metres; nothing if there is none.
 std::optional<double> wrenchFlats(const TurnedShape& shape);
 
+/// Teeth about the shaft, as of a knurl or a spline: it is pressed in. A thread has a crest or a few in each section.
+bool hasTeeth(const TurnedShape& shape);
+
 }  // namespace glissade

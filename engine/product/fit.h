@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/base/message.h"
+#include "engine/check/cut_shape.h"
 #include "engine/check/evidence.h"
 #include "engine/collision/thread_rule.h"
 #include "engine/product/contact_report.h"
@@ -34,7 +35,9 @@ struct Fit {
   bool hollow = false;  ///< the volume that the other body of the pair fills is taken away (check/hollow.h)
   MeshPtr thinned{};    ///< the thinned body; null if it is whole
   bool yields = false;  ///< the obstacle is taken thinner, not the object
-  Message refused{};    ///< reason why nothing is allowed; empty: it is allowed
+  /// Set if the clash is accepted and refused all the same: it is not clear which body is cut, or neither stays whole.
+  std::optional<check::Cut> cut{};
+  Message refused{};  ///< reason why nothing is allowed; empty: it is allowed
 };
 
 /// "screw taken 0.41 mm thinner in the tapped hole of plate (thread)", and the pitch of a known thread: "..., pitch 1.5

@@ -49,6 +49,16 @@ void leaveOutScrews(const Designations& said, Joints& pressed) {
   pressed.erase(std::remove_if(pressed.begin(), pressed.end(), isScrew), pressed.end());
 }
 
+/// Removes suggested inserts of pairs that have a thread.
+void leaveOutThreaded(const Joints& threads, Joints& joints) {
+  std::erase_if(joints, [&](const Joint& insert) {
+    const bool isOpen = insert.kind == JointKind::Insert && insert.state == JointState::Suggested;
+    return isOpen && std::any_of(threads.begin(), threads.end(), [&](const Joint& thread) {
+             return std::minmax(thread.body, thread.others.front()) == std::minmax(insert.body, insert.others.front());
+           });
+  });
+}
+
 void append(Joints more, Joints& joints) {
   for (Joint& joint : more) joints.push_back(std::move(joint));
 }
@@ -70,7 +80,9 @@ Joints findJoints(const ProductShapes& shapes, const StopToken& stop, const std:
   Joints joints = std::move(threaded);
   append(std::move(pressed), joints);
   append(std::move(units), joints);
-  append(findThreadedParts(shapes, joints, stop), joints);
+  Joints threads = findThreadedParts(shapes, joints, stop);
+  leaveOutThreaded(threads, joints);
+  append(std::move(threads), joints);
   for (Joint& joint : joints) {
     addDesignations(said, joint);
     if (const TurnedShape* shape = shapes.turned(joint.body)) addUsualDrive(*shape, joint);

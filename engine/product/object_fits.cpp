@@ -210,13 +210,14 @@ class FitFinder {
     fit.overlap = overlap;
     fit.allowance = overlap + found.contact.deviation;
     if (words_.accepts(wordAbout(fit.obstacle), overlap)) {
-      const bool isNotClear = cutOf(fit.obstacle, found) == check::Cut::NotClear;
+      fit.cut = cutOf(fit.obstacle, found);
+      const bool isNotClear = fit.cut == check::Cut::NotClear;
       const CatalogueText reason = isNotClear
                                        ? GLISSADE_TEXT("overlap by %1, and which of the two is cut is not clear")
                                        : GLISSADE_TEXT("overlap by %1, and neither can be cut and stay in one piece");
-      refuse(fit, {reason, {Depth{overlap}}},
-             isNotClear ? GLISSADE_TEXT("Name the one that is cut (--cut NAME), or mend the parts.")
-                        : GLISSADE_TEXT("Mend the parts."));
+      const Message named{GLISSADE_TEXT("Name the one that is cut (--cut \"%1\" or --cut \"%2\"), or mend the parts."),
+                          {object_.shown(), body(fit.obstacle).shown()}};
+      refuse(fit, {reason, {Depth{overlap}}}, isNotClear ? named : Message(GLISSADE_TEXT("Mend the parts.")));
       return;
     }
     if (fit.kind == ContactKind::Press && isPressedInsert(fit.obstacle, found.contact)) {

@@ -15,6 +15,11 @@ namespace {
 constexpr double kClearPress = 0.02;
 /// Cylinders within this distance fit exactly, metres, as in contacts of a product.
 constexpr double kExactFit = 3e-6;
+/// A ring without other evidence is an insert if it is thicker than its hole by no more than this share of its radius,
+/// as what is pressed in, or as small as inserts for plastic and sheet metal, metres. A larger one may be a threaded
+/// cap.
+constexpr double kMostPressed = 0.01;
+constexpr double kLargestInsert = 8e-3;
 constexpr double kPinClearance = 1.06;
 /// Metres, radial: a body thicker than its hole by more is not pressed in. Inserts in warm plastic are thicker by 0.8
 /// mm. A guest whose name says that it is an insert may have no hole at all.
@@ -214,7 +219,19 @@ class PressedJointFinder {
     Joint joint = jointOf(JointKind::Insert, body, {*best}, shapes_.axisOf(body));
     joint.evidence = {GLISSADE_TEXT("a ring in a hole"), fitWords(*best)};
     if (hasThread_.count(body) != 0) joint.evidence.emplace_back(GLISSADE_TEXT("a thread is in it"));
+    if (!isEvident(body, shape, best->excess)) {
+      joint.state = JointState::Suggested;
+      joint.isDoubtful = true;
+      joint.evidence.emplace_back(GLISSADE_TEXT("it is larger than inserts are, and may be screwed in"));
+    }
     joints.push_back(std::move(joint));
+  }
+
+  /// True if a ring that is thicker than its hole by this excess is pressed in, or is an insert by its name, its knurl,
+  /// its size or the thread in it.
+  bool isEvident(std::size_t body, const TurnedShape& shape, double excess) const {
+    return isInsertByName_[body] || hasThread_.count(body) != 0 || excess <= kMostPressed * shape.outer ||
+           shape.outer <= kLargestInsert || hasTeeth(shape);
   }
 
   void addPin(std::size_t body, const TurnedShape& shape, Joints& joints) const {

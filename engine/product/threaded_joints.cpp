@@ -106,27 +106,6 @@ class ThreadedJointFinder {
     return stack;
   }
 
-  /// Teeth about the shaft, as of a knurl or a spline: it is pressed in. A thread has a crest or a few in each section.
-  static bool hasTeeth(const TurnedShape& shape) {
-    constexpr int kFewestTeeth = 5;
-    constexpr double kLeastDepth = 0.02;  // of the radius
-    constexpr double kLeastShare = 0.3;   // of the length of the shaft
-    double toothed = 0.0;
-    for (const AxialSlab& slab : shape.slabs) {
-      if (slab.high > shape.headLow) break;
-      const double most = slab.outerMost();
-      const double middle = 0.5 * (most + slab.outerLeast());
-      if (most - middle < 0.5 * kLeastDepth * most) continue;
-      int teeth = 0;
-      for (std::size_t i = 0; i < slab.farthest.size(); ++i) {
-        const double next = slab.farthest[(i + 1) % slab.farthest.size()];
-        teeth += slab.farthest[i] < middle && next >= middle ? 1 : 0;
-      }
-      toothed += teeth >= kFewestTeeth ? slab.length() : 0.0;
-    }
-    return toothed >= kLeastShare * (shape.headLow - shape.low);
-  }
-
   /// Holes that are narrower by a thread. A body without a hole says nothing of a shaft that is no screw.
   void takeTight(const std::vector<AroundShaft>& all, std::size_t body, const TurnedShape& shape,
                  ScrewStack& stack) const {
@@ -338,7 +317,7 @@ class ThreadedJointFinder {
     joint.direction = isUp ? axis.direction : Vector3(-axis.direction);
     JointThread thread;
     thread.diameter = 2.0 * radius;
-    thread.pitch = isoCoarsePitch(radius).pitch;
+    thread.pitch = pitchOfDepth(radius, radius - shape.hole);
     thread.engaged = on;
     thread.travel = isUp ? high - shape.low : shape.high - low;
     joint.thread = thread;

@@ -73,7 +73,7 @@ class ThreadJointMaker {
     JointThread& turned = joint.thread.emplace();
     turned.diameter = 2.0 * thread.shaft;
     turned.isPitchStated = thread.pitch != 0.0;
-    turned.pitch = turned.isPitchStated ? thread.pitch : isoCoarsePitch(thread.shaft).pitch;
+    turned.pitch = turned.isPitchStated ? thread.pitch : pitchOfDepth(thread.shaft, thread.depth());
     turned.engaged = thread.engaged().length();
     turned.travel = isUp ? thread.ofHole.high - thread.ofShaft.low : thread.ofShaft.high - thread.ofHole.low;
     if (const auto flats = turnsShaft ? shaftFlats : holeFlats) {
@@ -142,6 +142,7 @@ class ThreadedPartFinder {
   ThreadedPartFinder(const ProductShapes& shapes, const Joints& known, const StopToken& stop)
       : shapes_(shapes), stop_(stop), cylinders_(shapes.size()) {
     for (const Joint& joint : known) {
+      if (joint.kind == JointKind::Insert && joint.state == JointState::Suggested) continue;
       std::vector<std::size_t> bodies{joint.body};
       bodies.insert(bodies.end(), joint.others.begin(), joint.others.end());
       for (const std::size_t one : bodies) {

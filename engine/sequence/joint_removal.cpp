@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <set>
 
@@ -77,14 +78,58 @@ RemovalAnswer JointRemoval::tryRemoval(const BodyGroup& group, const BodySet& pr
   if (const auto refusal = known(group, present)) return *refusal;
   const auto turn = commonTurn(group, opened);
   if (!turn) return Refused{rules_.holders(opened, group, present)};
+  RemovalAnswer answer = tryTurn(group, present, *turn, stop);
+  auto* refused = std::get_if<Refused>(&answer);
+  if (refused == nullptr || refused->stopped) return answer;
+  if (const auto other = otherEnd(*turn, group, present, opened)) {
+    RemovalAnswer byOther = tryTurn(group, present, *other, stop);
+    const auto* held = std::get_if<Refused>(&byOther);
+    if (held == nullptr || held->stopped) return byOther;
+    std::set<std::size_t> blocking(refused->blockedBy.begin(), refused->blockedBy.end());
+    blocking.insert(held->blockedBy.begin(), held->blockedBy.end());
+    refused->blockedBy.assign(blocking.begin(), blocking.end());
+  }
+  if (refused->blockedBy.empty()) return answer;
+  const std::lock_guard lock(mutex_);
+  refused_[group] = *refused;
+  return answer;
+}
+
+/// The turn in the opposite direction, until the group is past the bodies that hold it, as a nut at the other end of a
+/// rod. Nothing where these do not let it: the head of a screw, the bottom of a hole.
+std::optional<JointRemoval::Turn> JointRemoval::otherEnd(const Turn& turn, const BodyGroup& group,
+                                                         const BodySet& present,
+                                                         const std::vector<std::size_t>& opened) {
+  const BodyGroup holders = rules_.holders(opened, group, present);
+  const auto hasHead = [&](std::size_t index) { return rules_.joints()[index].kind == JointKind::Screw; };
+  if (holders.empty() || std::any_of(opened.begin(), opened.end(), hasHead)) return std::nullopt;
+  const Vector3 back = -turn.screw.axis_W;
+  const MovingObject& object = worlds_.object(group);
+  double behind = std::numeric_limits<double>::infinity();  // least height of the group along the way back
+  for (const Vector3& vertex : object.mesh->vertices) behind = std::min(behind, back.dot(object.X_WB * vertex));
+  double end = behind;
+  BodySet alone(present.size(), false);
+  for (const std::size_t holder : holders) {
+    alone[holder] = true;
+    const RigidBody& body = product_.bodies[holder];
+    for (const Vector3& vertex : body.mesh->vertices) end = std::max(end, back.dot(body.X_WB * vertex));
+  }
+  const double advance = end - behind + kLeastTurns * std::abs(turn.screw.pitch);
+  const Turn other{{turn.screw.point_W, back, turn.screw.pitch}, advance};
+  const auto query = worlds_.world(group, alone).world->makeQuery();
+  return turnIsFree(*query, other, object) ? std::optional(other) : std::nullopt;
+}
+
+RemovalAnswer JointRemoval::tryTurn(const BodyGroup& group, const BodySet& present, const Turn& turn,
+                                    const StopToken& stop) {
   const MovingObject& object = worlds_.object(group);
   const MotionWorld motion = worlds_.world(group, present);
   const auto query = motion.world->makeQuery();
   // The end has to be outside of all other bodies of the product, since the step may come earlier in another order.
   const Box3 others = boxOf(product_, without(BodySet(product_.bodies.size(), true), group));
-  const std::vector<Pose> turned = turnedAlong(turn->screw, object.X_WB, turn->advance, kOffShare * object.required);
-  if (turnIsFree(*query, *turn, object)) {
-    std::vector<Vector3> directions{turn->screw.axis_W};
+  const std::vector<Pose> turned = turnedAlong(turn.screw, object.X_WB, turn.advance, kOffShare * object.required);
+  if (turnIsFree(*query, turn, object)) {
+    std::vector<Vector3> directions{turn.screw.axis_W};
     for (const Vector3& direction : removalDirections(product_, fits_, group.front())) directions.push_back(direction);
     for (const Vector3& direction : directions) {
       Path path{computedPoints(wayOn(turned, direction, object, others)), {}};
@@ -98,12 +143,8 @@ RemovalAnswer JointRemoval::tryRemoval(const BodyGroup& group, const BodySet& pr
       return Removed{std::move(path), kTurned, fits_.fitsOf(group, present)};
     }
   }
-  const Pose end = wayOn(turned, turn->screw.axis_W, object, others).back();
-  Refused refused{blockersOf(group, present, *turn, {turned.back(), end}, stop), stop.stopRequested()};
-  if (refused.stopped || refused.blockedBy.empty()) return refused;
-  const std::lock_guard lock(mutex_);
-  refused_[group] = refused;
-  return refused;
+  const Pose end = wayOn(turned, turn.screw.axis_W, object, others).back();
+  return Refused{blockersOf(group, present, turn, {turned.back(), end}, stop), stop.stopRequested()};
 }
 
 /// Proves the turn for all angles. The chords of the path deviate from the turn by a share of the clearance. Sample

@@ -15,9 +15,10 @@ namespace glissade {
 inline constexpr const char* kTurned = "turned";
 
 /// Removal of a group that closed joints hold by their threads: it turns about the axis by the joint's pitch until the
-/// threads are free, then moves straight on. The turns are proved for all angles at once (see certifyPath), because a
-/// turning body stays in its solid of revolution. A thread is not pulled, so no other motion is tried. A refusal holds
-/// while the bodies that it names are there, and is stored. Thread-safe.
+/// threads are free, then moves straight on; where that is not free, by the other end of a rod without a head. The
+/// turns are proved for all angles at once (see certifyPath), because a turning body stays in its solid of revolution.
+/// A thread is not pulled, so no other motion is tried. A refusal holds while the bodies that it names are there, and
+/// is stored. Thread-safe.
 class JointRemoval {
  public:
   /// Refers to all arguments.
@@ -35,6 +36,9 @@ class JointRemoval {
     double advance = 0.0;  ///< metres along the axis, above 0
   };
   std::optional<Turn> commonTurn(const BodyGroup& group, const std::vector<std::size_t>& opened) const;
+  std::optional<Turn> otherEnd(const Turn& turn, const BodyGroup& group, const BodySet& present,
+                               const std::vector<std::size_t>& opened);
+  RemovalAnswer tryTurn(const BodyGroup& group, const BodySet& present, const Turn& turn, const StopToken& stop);
   std::optional<Refused> known(const BodyGroup& group, const BodySet& present) const;
   static bool turnIsFree(CollisionQuery& query, const Turn& turn, const MovingObject& object);
   static std::vector<Pose> wayOn(std::vector<Pose> poses, const Vector3& direction, const MovingObject& object,

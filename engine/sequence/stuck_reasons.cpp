@@ -98,13 +98,17 @@ Message StuckReasons::ofTurns(const BodyGroup& unit) const {
 Message StuckReasons::ofClashes(const BodyGroup& unit) const {
   if (question_.fits == nullptr) return {};
   const Fit* deepest = nullptr;
+  std::size_t clashing = unit.front();
   for (const std::size_t other : bodiesIn(without(present_, unit))) {
     for (const std::size_t body : unit) {
       const Fit* clash = question_.fits->clashOf(body, other);
-      if (clash != nullptr && (deepest == nullptr || clash->overlap > deepest->overlap)) deepest = clash;
+      if (clash == nullptr || (deepest != nullptr && clash->overlap <= deepest->overlap)) continue;
+      deepest = clash;
+      clashing = body;
     }
   }
   if (deepest == nullptr) return {};
+  if (deepest->cut) return ofAcceptedClash(clashing, *deepest);
   // If the bodies only touch, the table of fits says why none is thinned.
   constexpr double kOverlap = 1e-5;
   if (deepest->overlap < kOverlap) {
@@ -113,6 +117,21 @@ Message StuckReasons::ofClashes(const BodyGroup& unit) const {
   }
   return {GLISSADE_TEXT("it and '%1' clash where they are assembled (%2): mend the parts, or accept the clash"),
           {name(deepest->obstacle), Depth{deepest->overlap}}};
+}
+
+/// Says why a clash that is accepted still holds the body.
+Message StuckReasons::ofAcceptedClash(std::size_t body, const Fit& clash) const {
+  const std::string& other = name(clash.obstacle);
+  const Depth depth{clash.overlap};
+  if (*clash.cut == check::Cut::NotClear) {
+    return {
+        GLISSADE_TEXT("the clash of it and '%1' (%2) is accepted, and which of the two is cut is not clear: name the "
+                      "one that is cut (--cut \"%3\" or --cut \"%1\")"),
+        {other, depth, name(body)}};
+  }
+  return {GLISSADE_TEXT("the clash of it and '%1' (%2) is accepted, and neither can be cut and stay in one piece: mend "
+                        "the parts"),
+          {other, depth}};
 }
 
 bool StuckReasons::isBlockedBy(const BodyGroup& unit, const BodyGroup& others) const {

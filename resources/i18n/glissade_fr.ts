@@ -2706,7 +2706,7 @@
     </message>
     <message>
         <source>hand, forearm and tool were sampled along each motion: this is no proof of what lies between the samples, and the rest of the body is not considered</source>
-        <translation>la main, l&apos;avant-bras et l&apos;outil ont été échantillonnés le long de chaque mouvement : cela ne prouve rien entre les échantillons, et le reste du corps n&apos;est pas considéré</translation>
+        <translation>la main, l&apos;avant-bras et l&apos;outil ont été échantillonnés le long de chaque mouvement&#xa0;: cela ne prouve rien entre les échantillons, et le reste du corps n&apos;est pas considéré</translation>
     </message>
     <message>
         <source>the hand gets there</source>
@@ -2718,7 +2718,7 @@
     </message>
     <message>
         <source>the hand is blocked by &apos;%1&apos;, %2 of the way from the place</source>
-        <translation>la main est bloquée par « %1 », à %2 du trajet à partir de l&apos;endroit</translation>
+        <translation>la main est bloquée par «&#xa0;%1&#xa0;», à %2 du trajet à partir de l&apos;endroit</translation>
     </message>
     <message>
         <source>no place of it fits into one hand</source>
@@ -2734,7 +2734,7 @@
     </message>
     <message>
         <source>%1 of the place is seen, hidden by &apos;%2&apos;</source>
-        <translation>%1 de l&apos;endroit sont visibles, le reste est caché par « %2 »</translation>
+        <translation>%1 de l&apos;endroit sont visibles, le reste est caché par «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>%1 with the tool (%2)</source>
@@ -2742,7 +2742,7 @@
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1 of %2 steps are reached and seen by the hand %3</source>
@@ -2766,11 +2766,11 @@
     </message>
     <message>
         <source>%1 % judged</source>
-        <translation>%1 % jugés</translation>
+        <translation>%1&#xa0;% jugés</translation>
     </message>
     <message>
         <source>is for assembly plans: a path is of a scenario</source>
-        <translation>est réservée aux plans d&apos;assemblage : un chemin appartient à un scénario</translation>
+        <translation>est réservée aux plans d&apos;assemblage&#xa0;: un chemin appartient à un scénario</translation>
     </message>
     <message>
         <source>Remove the body from the scenario.</source>
@@ -2778,7 +2778,7 @@
     </message>
     <message>
         <source>is for assembly plans: a path states no words of a person</source>
-        <translation>est réservée aux plans d&apos;assemblage : un chemin n&apos;énonce aucune parole d&apos;une personne</translation>
+        <translation>est réservée aux plans d&apos;assemblage&#xa0;: un chemin n&apos;énonce aucune parole d&apos;une personne</translation>
     </message>
     <message>
         <source>Leave it out.</source>
@@ -2805,28 +2805,8 @@
         <translation>Nommez le scénario avec --scenario, ou écrivez le format d&apos;OMPL (.path).</translation>
     </message>
     <message>
-        <source>the trees came within %1 m of each other, from %2 to %3</source>
-        <translation>les arbres se sont approchés à %1 m l&apos;un de l&apos;autre, de %2 à %3</translation>
-    </message>
-    <message>
-        <source>%1; between the object and the goal&apos;s tree stands &apos;%2&apos;, at %3</source>
-        <translation>%1 ; entre l&apos;objet et l&apos;arbre du but se trouve « %2 », en %3</translation>
-    </message>
-    <message>
-        <source>tightest passage reached: %1 mm to &apos;%2&apos;, at %3</source>
-        <translation>passage le plus étroit atteint : %1 mm par rapport à « %2 », en %3</translation>
-    </message>
-    <message>
-        <source>with %1 mm given between the object and &apos;%2&apos;, at %3, there is a way of %4 configurations</source>
-        <translation>si l&apos;on accorde %1 mm entre l&apos;objet et « %2 », en %3, il existe un chemin de %4 configurations</translation>
-    </message>
-    <message>
-        <source>no erosion of the object that was tried opens a way</source>
-        <translation>aucun des amincissements essayés de l&apos;objet n&apos;ouvre de chemin</translation>
-    </message>
-    <message>
         <source>octree     %1 levels, cells: %2 free, %3 mobile, %4 static</source>
-        <translation>octree         %1 niveaux, cellules : %2 libres, %3 mobiles, %4 statiques</translation>
+        <translation>octree         %1 niveaux, cellules&#xa0;: %2 libres, %3 mobiles, %4 statiques</translation>
     </message>
     <message>
         <source>places (%1)</source>
@@ -2858,7 +2838,7 @@
     </message>
     <message>
         <source>the volumes that solids have in common are not known: %1</source>
-        <translation>les volumes que les solides ont en commun ne sont pas connus : %1</translation>
+        <translation>les volumes que les solides ont en commun ne sont pas connus&#xa0;: %1</translation>
     </message>
     <message>
         <source>clash</source>
@@ -2878,11 +2858,11 @@
     </message>
     <message>
         <source>common volumes of the solids in the file:</source>
-        <translation>volumes communs des solides du fichier :</translation>
+        <translation>volumes communs des solides du fichier&#xa0;:</translation>
     </message>
     <message>
         <source>  &apos;%1&apos; and &apos;%2&apos;: %3, %4 deep</source>
-        <translation>  « %1 » et « %2 » : %3, sur %4 de profondeur</translation>
+        <translation>  «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;»&#xa0;: %3, sur %4 de profondeur</translation>
     </message>
     <message>
         <source>overlap</source>
@@ -3010,7 +2990,7 @@
     </message>
     <message>
         <source>needs a scenario: a part file has no object</source>
-        <translation>demande un scénario : un fichier de pièces n&apos;a pas d&apos;objet</translation>
+        <translation>demande un scénario&#xa0;: un fichier de pièces n&apos;a pas d&apos;objet</translation>
     </message>
     <message>
         <source>Make a scenario of the file with glissade-cli new.</source>
@@ -3058,11 +3038,11 @@
     </message>
     <message>
         <source>screws in bodies without a hole in the file, each of which makes its own: %1</source>
-        <translation>vis dans des corps sans trou dans le fichier, qui font chacune le leur : %1</translation>
+        <translation>vis dans des corps sans trou dans le fichier, qui font chacune le leur&#xa0;: %1</translation>
     </message>
     <message>
         <source>joints whose evidence contradicts itself, for a person to decide (?): %1</source>
-        <translation>liaisons dont les indices se contredisent, à trancher par une personne (?) : %1</translation>
+        <translation>liaisons dont les indices se contredisent, à trancher par une personne (?)&#xa0;: %1</translation>
     </message>
     <message>
         <source>was interrupted</source>
@@ -3074,7 +3054,7 @@
     </message>
     <message>
         <source>is below zero: give a length, as 1.5mm</source>
-        <translation>est inférieur à zéro : donnez une longueur, comme 1.5mm</translation>
+        <translation>est inférieur à zéro&#xa0;: donnez une longueur, comme 1.5mm</translation>
     </message>
     <message>
         <source>Take clashes up to this overlap as fits, as 1.5mm</source>
@@ -3086,7 +3066,7 @@
     </message>
     <message>
         <source>Whether bodies that fit where they are assembled are taken thinner against each other: on or off (default: %1)</source>
-        <translation>Si les corps ajustés à leur place assemblée sont amincis l&apos;un face à l&apos;autre : on ou off (par défaut : %1)</translation>
+        <translation>Si les corps ajustés à leur place assemblée sont amincis l&apos;un face à l&apos;autre&#xa0;: on ou off (par défaut&#xa0;: %1)</translation>
     </message>
     <message>
         <source>Plan a motion and deliver it with its certificate</source>
@@ -3098,15 +3078,11 @@
     </message>
     <message>
         <source>Planner: %1 (default: the scenario&apos;s)</source>
-        <translation>Planificateur : %1 (par défaut : celui du scénario)</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not kernel or fcl</source>
-        <translation>« %1 » n&apos;est ni kernel ni fcl</translation>
+        <translation>Planificateur&#xa0;: %1 (par défaut&#xa0;: celui du scénario)</translation>
     </message>
     <message>
         <source>Collision checker: kernel or fcl (default: kernel)</source>
-        <translation>Détecteur de collisions : kernel ou fcl (par défaut : kernel)</translation>
+        <translation>Détecteur de collisions&#xa0;: kernel ou fcl (par défaut&#xa0;: kernel)</translation>
     </message>
     <message>
         <source>the scenario&apos;s</source>
@@ -3114,7 +3090,7 @@
     </message>
     <message>
         <source>Operator: none, novice, default, expert, simulated-haptic, task-novice, task-expert, misleading or replay:FILE</source>
-        <translation>Opérateur : none, novice, default, expert, simulated-haptic, task-novice, task-expert, misleading ou replay:FICHIER</translation>
+        <translation>Opérateur&#xa0;: none, novice, default, expert, simulated-haptic, task-novice, task-expert, misleading ou replay:FICHIER</translation>
     </message>
     <message>
         <source>A simulated operator shows the way of this path, not the scenario&apos;s way-points</source>
@@ -3122,7 +3098,7 @@
     </message>
     <message>
         <source>Shorten the path and keep it certified: --smoothing %1</source>
-        <translation>Raccourcir le chemin en le gardant certifié : --smoothing %1</translation>
+        <translation>Raccourcir le chemin en le gardant certifié&#xa0;: --smoothing %1</translation>
     </message>
     <message>
         <source>Report the certificate of every edge</source>
@@ -3134,11 +3110,11 @@
     </message>
     <message>
         <source>Seed of everything random (default: the scenario&apos;s)</source>
-        <translation>Graine de tout ce qui est aléatoire (par défaut : celle du scénario)</translation>
+        <translation>Graine de tout ce qui est aléatoire (par défaut&#xa0;: celle du scénario)</translation>
     </message>
     <message>
         <source>Write the path: %1</source>
-        <translation>Écrire le chemin : %1</translation>
+        <translation>Écrire le chemin&#xa0;: %1</translation>
     </message>
     <message>
         <source>Write a run record for replay</source>
@@ -3146,15 +3122,15 @@
     </message>
     <message>
         <source>Leave a body or an assembly of the product out: its name (can be repeated)</source>
-        <translation>Écarter un corps ou un assemblage du produit : son nom (peut être répété)</translation>
+        <translation>Écarter un corps ou un assemblage du produit&#xa0;: son nom (peut être répété)</translation>
     </message>
     <message>
         <source>Take a part of several solids as these: its name (can be repeated)</source>
-        <translation>Prendre une pièce de plusieurs solides comme ceux-ci : son nom (peut être répété)</translation>
+        <translation>Prendre une pièce de plusieurs solides comme ceux-ci&#xa0;: son nom (peut être répété)</translation>
     </message>
     <message>
         <source>Threads; they do not change the result (default: one for each core)</source>
-        <translation>Fils d&apos;exécution ; ils ne changent pas le résultat (par défaut : un par cœur)</translation>
+        <translation>Fils d&apos;exécution&#xa0;; ils ne changent pas le résultat (par défaut&#xa0;: un par cœur)</translation>
     </message>
     <message>
         <source>Judge a path or an assembly plan with the independent check</source>
@@ -3162,23 +3138,23 @@
     </message>
     <message>
         <source>Scenario file or OMPL.app .cfg; of an assembly plan the product, as in sequence</source>
-        <translation>Fichier de scénario ou .cfg d&apos;OMPL.app ; pour un plan d&apos;assemblage le produit, comme dans sequence</translation>
+        <translation>Fichier de scénario ou .cfg d&apos;OMPL.app&#xa0;; pour un plan d&apos;assemblage le produit, comme dans sequence</translation>
     </message>
     <message>
         <source>Assembly plan, or path: %1</source>
-        <translation>Plan d&apos;assemblage, ou chemin : %1</translation>
+        <translation>Plan d&apos;assemblage, ou chemin&#xa0;: %1</translation>
     </message>
     <message>
         <source>Clearance to prove [m] (default: the scenario&apos;s)</source>
-        <translation>Jeu à prouver [m] (par défaut : celui du scénario)</translation>
+        <translation>Jeu à prouver [m] (par défaut&#xa0;: celui du scénario)</translation>
     </message>
     <message>
         <source>What the plan states itself counts as a person&apos;s word: bends, flexible bodies, units, accepted clashes, demands that are given up</source>
-        <translation>Ce que le plan énonce lui-même vaut comme la parole d&apos;une personne : flexions, corps souples, unités, collisions acceptées, exigences abandonnées</translation>
+        <translation>Ce que le plan énonce lui-même vaut comme la parole d&apos;une personne&#xa0;: flexions, corps souples, unités, collisions acceptées, exigences abandonnées</translation>
     </message>
     <message>
         <source>Time limit in seconds; 0: none</source>
-        <translation>Limite de temps en secondes ; 0 : aucune</translation>
+        <translation>Limite de temps en secondes&#xa0;; 0&#xa0;: aucune</translation>
     </message>
     <message>
         <source>Shorten a certified path and keep it certified</source>
@@ -3186,7 +3162,7 @@
     </message>
     <message>
         <source>Path: %1</source>
-        <translation>Chemin : %1</translation>
+        <translation>Chemin&#xa0;: %1</translation>
     </message>
     <message>
         <source>Shortcuts to try</source>
@@ -3198,15 +3174,15 @@
     </message>
     <message>
         <source>Write the swept volume of a path: all that the object covers</source>
-        <translation>Écrire le volume balayé d&apos;un chemin : tout ce que l&apos;objet occupe</translation>
+        <translation>Écrire le volume balayé d&apos;un chemin&#xa0;: tout ce que l&apos;objet occupe</translation>
     </message>
     <message>
         <source>Write the swept volume: .stl (millimetres) or .glb</source>
-        <translation>Écrire le volume balayé : .stl (millimètres) ou .glb</translation>
+        <translation>Écrire le volume balayé&#xa0;: .stl (millimètres) ou .glb</translation>
     </message>
     <message>
         <source>How far its surface may be from the object, as 0.5mm (default: one with which the volume is about 7 % too large)</source>
-        <translation>Distance maximale de sa surface à l&apos;objet, comme 0.5mm (par défaut : celle avec laquelle le volume est trop grand d&apos;environ 7 %)</translation>
+        <translation>Distance maximale de sa surface à l&apos;objet, comme 0.5mm (par défaut&#xa0;: celle avec laquelle le volume est trop grand d&apos;environ 7&#xa0;%)</translation>
     </message>
     <message>
         <source>Show bodies, triangles, units and the quality of the meshes</source>
@@ -3218,11 +3194,11 @@
     </message>
     <message>
         <source>Build the environment model: octree, places, borders, compatibility</source>
-        <translation>Construire le modèle de l&apos;environnement : octree, lieux, frontières, compatibilité</translation>
+        <translation>Construire le modèle de l&apos;environnement&#xa0;: octree, lieux, frontières, compatibilité</translation>
     </message>
     <message>
         <source>Write into the scenario file where its forbidden places are, which &apos;check&apos; reads</source>
-        <translation>Écrire dans le fichier de scénario où sont ses lieux interdits, que « check » lit</translation>
+        <translation>Écrire dans le fichier de scénario où sont ses lieux interdits, que «&#xa0;check&#xa0;» lit</translation>
     </message>
     <message>
         <source>is not from 1e-12 m to 1e9 m</source>
@@ -3230,7 +3206,7 @@
     </message>
     <message>
         <source>How far triangles may be off the surfaces of a STEP file, as 0.05mm (default: by the size of each part)</source>
-        <translation>Distance maximale des triangles aux surfaces d&apos;un fichier STEP, comme 0.05mm (par défaut : selon la taille de chaque pièce)</translation>
+        <translation>Distance maximale des triangles aux surfaces d&apos;un fichier STEP, comme 0.05mm (par défaut&#xa0;: selon la taille de chaque pièce)</translation>
     </message>
     <message>
         <source>List the contacts, fits and clashes of a product as it is assembled</source>
@@ -3242,11 +3218,11 @@
     </message>
     <message>
         <source>List pairs with a gap of up to this, too, as 0.5mm (default: 0)</source>
-        <translation>Lister aussi les paires dont l&apos;écart va jusqu&apos;à cette longueur, comme 0.5mm (par défaut : 0)</translation>
+        <translation>Lister aussi les paires dont l&apos;écart va jusqu&apos;à cette longueur, comme 0.5mm (par défaut&#xa0;: 0)</translation>
     </message>
     <message>
         <source>An overlap above this is a clash (default: 1mm)</source>
-        <translation>Un recouvrement plus grand est une collision (par défaut : 1mm)</translation>
+        <translation>Un recouvrement plus grand est une collision (par défaut&#xa0;: 1mm)</translation>
     </message>
     <message>
         <source>An overlap above this share of the local thickness is a clash, too</source>
@@ -3258,11 +3234,11 @@
     </message>
     <message>
         <source>List how the bodies of a product are joined: screws, nuts, inserts</source>
-        <translation>Lister comment les corps d&apos;un produit sont liés : vis, écrous, inserts</translation>
+        <translation>Lister comment les corps d&apos;un produit sont liés&#xa0;: vis, écrous, inserts</translation>
     </message>
     <message>
         <source>suggested: joints that are suggested count as if a person had confirmed them; recognised: they do not (default)</source>
-        <translation>suggested : les liaisons proposées comptent comme si une personne les avait confirmées ; recognised : elles ne comptent pas (par défaut)</translation>
+        <translation>suggested&#xa0;: les liaisons proposées comptent comme si une personne les avait confirmées&#xa0;; recognised&#xa0;: elles ne comptent pas (par défaut)</translation>
     </message>
     <message>
         <source>Find in which order the parts of a product leave, with a certified motion each</source>
@@ -3286,47 +3262,47 @@
     </message>
     <message>
         <source>How the order is searched: best-first or greedy (default: best-first, or the resumed plan&apos;s)</source>
-        <translation>Façon de chercher l&apos;ordre : best-first ou greedy (par défaut : best-first, ou celle du plan repris)</translation>
+        <translation>Façon de chercher l&apos;ordre&#xa0;: best-first ou greedy (par défaut&#xa0;: best-first, ou celle du plan repris)</translation>
     </message>
     <message>
         <source>Seed of everything random (default: 1, or the resumed plan&apos;s)</source>
-        <translation>Graine de tout ce qui est aléatoire (par défaut : 1, ou celle du plan repris)</translation>
+        <translation>Graine de tout ce qui est aléatoire (par défaut&#xa0;: 1, ou celle du plan repris)</translation>
     </message>
     <message>
         <source>Time limit in seconds; the plan found so far is then written; 0: none</source>
-        <translation>Limite de temps en secondes ; le plan trouvé jusque-là est alors écrit ; 0 : aucune</translation>
+        <translation>Limite de temps en secondes&#xa0;; le plan trouvé jusque-là est alors écrit&#xa0;; 0&#xa0;: aucune</translation>
     </message>
     <message>
         <source>Bodies that are not to leave (default: the largest)</source>
-        <translation>Corps qui ne doivent pas sortir (par défaut : le plus grand)</translation>
+        <translation>Corps qui ne doivent pas sortir (par défaut&#xa0;: le plus grand)</translation>
     </message>
     <message>
         <source>Bodies that leave as one: names with commas between them</source>
-        <translation>Corps qui sortent ensemble : des noms séparés par des virgules</translation>
+        <translation>Corps qui sortent ensemble&#xa0;: des noms séparés par des virgules</translation>
     </message>
     <message>
         <source>first,then: the first body leaves before the second</source>
-        <translation>premier,suivant : le premier corps sort avant le second</translation>
+        <translation>premier,suivant&#xa0;: le premier corps sort avant le second</translation>
     </message>
     <message>
         <source>3,name: the body leaves as the third step; 3,name,name: as one</source>
-        <translation>3,nom : le corps sort à la troisième étape ; 3,nom,nom : ensemble</translation>
+        <translation>3,nom&#xa0;: le corps sort à la troisième étape&#xa0;; 3,nom,nom&#xa0;: ensemble</translation>
     </message>
     <message>
         <source>name,-z or name,0,0,-1: the body does not leave in this direction</source>
-        <translation>nom,-z ou nom,0,0,-1 : le corps ne sort pas dans cette direction</translation>
+        <translation>nom,-z ou nom,0,0,-1&#xa0;: le corps ne sort pas dans cette direction</translation>
     </message>
     <message>
         <source>Joints that the plan keeps to: recognised, suggested (those too that a person would have to confirm) or off (default: the scenario&apos;s, or recognised)</source>
-        <translation>Liaisons que le plan respecte : recognised, suggested (aussi celles qu&apos;une personne devrait confirmer) ou off (par défaut : celles du scénario, ou recognised)</translation>
+        <translation>Liaisons que le plan respecte&#xa0;: recognised, suggested (aussi celles qu&apos;une personne devrait confirmer) ou off (par défaut&#xa0;: celles du scénario, ou recognised)</translation>
     </message>
     <message>
         <source>Direction of gravity: x y z (default: the scenario&apos;s, or 0 0 -1)</source>
-        <translation>Direction de la pesanteur : x y z (par défaut : celle du scénario, ou 0 0 -1)</translation>
+        <translation>Direction de la pesanteur&#xa0;: x y z (par défaut&#xa0;: celle du scénario, ou 0 0 -1)</translation>
     </message>
     <message>
         <source>What a step costs for best-first: fitter, balanced, steady, few-tools, short, fragile-first, as-found, or an expression (default: the scenario&apos;s, or fitter)</source>
-        <translation>Coût d&apos;une étape pour best-first : fitter, balanced, steady, few-tools, short, fragile-first, as-found, ou une expression (par défaut : celui du scénario, ou fitter)</translation>
+        <translation>Coût d&apos;une étape pour best-first&#xa0;: fitter, balanced, steady, few-tools, short, fragile-first, as-found, ou une expression (par défaut&#xa0;: celui du scénario, ou fitter)</translation>
     </message>
     <message>
         <source>on, or the scenario&apos;s</source>
@@ -3338,11 +3314,11 @@
     </message>
     <message>
         <source>The product of the plan: a scenario or a STEP file</source>
-        <translation>Le produit du plan : un scénario ou un fichier STEP</translation>
+        <translation>Le produit du plan&#xa0;: un scénario ou un fichier STEP</translation>
     </message>
     <message>
         <source>Assembly plan, as &apos;sequence --out&apos; writes it</source>
-        <translation>Plan d&apos;assemblage, tel que « sequence --out » l&apos;écrit</translation>
+        <translation>Plan d&apos;assemblage, tel que «&#xa0;sequence --out&#xa0;» l&apos;écrit</translation>
     </message>
     <message>
         <source>Divide the steps over so many stations, one person each</source>
@@ -3350,7 +3326,7 @@
     </message>
     <message>
         <source>File of work times (default: the program&apos;s estimates)</source>
-        <translation>Fichier de temps de travail (par défaut : les estimations du programme)</translation>
+        <translation>Fichier de temps de travail (par défaut&#xa0;: les estimations du programme)</translation>
     </message>
     <message>
         <source>Write the table of work times to a file, to be edited</source>
@@ -3363,8 +3339,8 @@
     <message>
         <source>Hand, forearm and tool are sampled along each motion; this is no proof. Measures: ANSUR II (NATICK/TR-15/007).
 Exit codes: 0 all is reached and seen, 1 not all, 2 wrong usage, 3 unreadable input, 130 interrupted.</source>
-        <translation>La main, l&apos;avant-bras et l&apos;outil sont échantillonnés le long de chaque mouvement ; ce n&apos;est pas une preuve. Mesures : ANSUR II (NATICK/TR-15/007).
-Codes de retour : 0 tout est accessible et visible, 1 pas tout, 2 mauvais usage, 3 entrée illisible, 130 interrompu.</translation>
+        <translation>La main, l&apos;avant-bras et l&apos;outil sont échantillonnés le long de chaque mouvement&#xa0;; ce n&apos;est pas une preuve. Mesures&#xa0;: ANSUR II (NATICK/TR-15/007).
+Codes de retour&#xa0;: 0 tout est accessible et visible, 1 pas tout, 2 mauvais usage, 3 entrée illisible, 130 interrompu.</translation>
     </message>
     <message>
         <source>The scenario of the path, or the product of the plan</source>
@@ -3372,15 +3348,15 @@ Codes de retour : 0 tout est accessible et visible, 1 pas tout, 2 mauvais usage
     </message>
     <message>
         <source>Path of the object: %1</source>
-        <translation>Chemin de l&apos;objet : %1</translation>
+        <translation>Chemin de l&apos;objet&#xa0;: %1</translation>
     </message>
     <message>
         <source>Whose hand: p5f 5th percentile of women, p50 average, p95m 95th percentile of men (default: p50)</source>
-        <translation>Main de qui : p5f 5e centile des femmes, p50 moyenne, p95m 95e centile des hommes (par défaut : p50)</translation>
+        <translation>Main de qui&#xa0;: p5f 5e centile des femmes, p50 moyenne, p95m 95e centile des hommes (par défaut&#xa0;: p50)</translation>
     </message>
     <message>
         <source>From where the place is looked at: x y z in metres (default: 17 positions above it are tried)</source>
-        <translation>D&apos;où l&apos;endroit est regardé : x y z en mètres (par défaut : 17 positions au-dessus sont essayées)</translation>
+        <translation>D&apos;où l&apos;endroit est regardé&#xa0;: x y z en mètres (par défaut&#xa0;: 17 positions au-dessus sont essayées)</translation>
     </message>
     <message>
         <source>Convert an OMPL.app .cfg to a scenario, or a path to another format</source>
@@ -3388,11 +3364,11 @@ Codes de retour : 0 tout est accessible et visible, 1 pas tout, 2 mauvais usage
     </message>
     <message>
         <source>What to read: a .cfg, a scenario; or a path: %1</source>
-        <translation>Ce qui est lu : un .cfg, un scénario ; ou un chemin : %1</translation>
+        <translation>Ce qui est lu&#xa0;: un .cfg, un scénario&#xa0;; ou un chemin&#xa0;: %1</translation>
     </message>
     <message>
         <source>What to write: a scenario (.json); or a path: %1</source>
-        <translation>Ce qui est écrit : un scénario (.json) ; ou un chemin : %1</translation>
+        <translation>Ce qui est écrit&#xa0;: un scénario (.json)&#xa0;; ou un chemin&#xa0;: %1</translation>
     </message>
     <message>
         <source>Scenario of the path, for formats that hold its clearances or bodies</source>
@@ -3408,10 +3384,10 @@ of every other part. An assembly in the file (product.step:pump) stands for all 
 one name are pin and pin#2. A solid of a part of several (product.step:frame/solid#2) opens the part: each of
 its solids is a body. #3 is the third part that &apos;info&apos; lists. A group of an OBJ file is named in the same way: --moves product.obj:lid --groups
 --static product.obj makes a body of every other group.</source>
-        <translation>Une pièce d&apos;un fichier STEP se nomme après son fichier : --moves product.step:pin --static product.step fait un corps
-de chaque autre pièce. Un assemblage du fichier (product.step:pump) représente toutes ses pièces ; deux pièces de
-même nom sont pin et pin#2. Un solide d&apos;une pièce qui en a plusieurs (product.step:frame/solid#2) ouvre la pièce : chacun de
-ses solides est un corps. #3 est la troisième pièce que « info » liste. Un groupe d&apos;un fichier OBJ se nomme de même : --moves product.obj:lid --groups
+        <translation>Une pièce d&apos;un fichier STEP se nomme après son fichier&#xa0;: --moves product.step:pin --static product.step fait un corps
+de chaque autre pièce. Un assemblage du fichier (product.step:pump) représente toutes ses pièces&#xa0;; deux pièces de
+même nom sont pin et pin#2. Un solide d&apos;une pièce qui en a plusieurs (product.step:frame/solid#2) ouvre la pièce&#xa0;: chacun de
+ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» liste. Un groupe d&apos;un fichier OBJ se nomme de même&#xa0;: --moves product.obj:lid --groups
 --static product.obj fait un corps de chaque autre groupe.</translation>
     </message>
     <message>
@@ -3420,7 +3396,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>The part that moves (can be repeated: they move as one)</source>
-        <translation>La pièce qui se déplace (peut être répété : elles se déplacent ensemble)</translation>
+        <translation>La pièce qui se déplace (peut être répété&#xa0;: elles se déplacent ensemble)</translation>
     </message>
     <message>
         <source>Parts that stay where they are</source>
@@ -3432,15 +3408,15 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>A unit of the files, as 1mm, 1m, 1in or 25.4mm (default: 1m for Collada and glTF; for other meshes 1mm, or 1m where only that fits their size, which a warning says); STEP and URDF files say it themselves</source>
-        <translation>Une unité des fichiers, comme 1mm, 1m, 1in ou 25.4mm (par défaut : 1m pour Collada et glTF ; pour les autres maillages 1mm, ou 1m si cela seul convient à leur taille, ce qu&apos;un avertissement indique) ; les fichiers STEP et URDF l&apos;indiquent eux-mêmes</translation>
+        <translation>Une unité des fichiers, comme 1mm, 1m, 1in ou 25.4mm (par défaut&#xa0;: 1m pour Collada et glTF&#xa0;; pour les autres maillages 1mm, ou 1m si cela seul convient à leur taille, ce qu&apos;un avertissement indique)&#xa0;; les fichiers STEP et URDF l&apos;indiquent eux-mêmes</translation>
     </message>
     <message>
         <source>The files&apos; axis that points up (default: y for Collada and glTF, z for other meshes)</source>
-        <translation>L&apos;axe des fichiers qui pointe vers le haut (par défaut : y pour Collada et glTF, z pour les autres maillages)</translation>
+        <translation>L&apos;axe des fichiers qui pointe vers le haut (par défaut&#xa0;: y pour Collada et glTF, z pour les autres maillages)</translation>
     </message>
     <message>
         <source>How far the triangles of STEP parts may be off their surfaces, as 0.05mm (default: a thousandth of each part&apos;s diagonal, from 0.01mm to 0.5mm)</source>
-        <translation>Distance maximale des triangles des pièces STEP à leurs surfaces, comme 0.05mm (par défaut : un millième de la diagonale de chaque pièce, de 0.01mm à 0.5mm)</translation>
+        <translation>Distance maximale des triangles des pièces STEP à leurs surfaces, comme 0.05mm (par défaut&#xa0;: un millième de la diagonale de chaque pièce, de 0.01mm à 0.5mm)</translation>
     </message>
     <message>
         <source>Take each group of an OBJ file (o or g) as a part of its own</source>
@@ -3464,7 +3440,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Folder of the results; a study that was begun there is continued</source>
-        <translation>Dossier des résultats ; une étude qui y a été commencée est poursuivie</translation>
+        <translation>Dossier des résultats&#xa0;; une étude qui y a été commencée est poursuivie</translation>
     </message>
     <message>
         <source>Runs at once</source>
@@ -3472,15 +3448,15 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>I/N: only every N-th run, from the I-th; see merge</source>
-        <translation>I/N : seulement un essai sur N, à partir du I-ième ; voir merge</translation>
+        <translation>I/N&#xa0;: seulement un essai sur N, à partir du I-ième&#xa0;; voir merge</translation>
     </message>
     <message>
         <source>The study&apos;s quick section: about a minute</source>
-        <translation>La version rapide de l&apos;étude : environ une minute</translation>
+        <translation>La version rapide de l&apos;étude&#xa0;: environ une minute</translation>
     </message>
     <message>
         <source>Print what would be run; write nothing</source>
-        <translation>Afficher ce qui serait exécuté ; ne rien écrire</translation>
+        <translation>Afficher ce qui serait exécuté&#xa0;; ne rien écrire</translation>
     </message>
     <message>
         <source>Combine the results of the parts of a study (--shard) and write its tables</source>
@@ -3496,7 +3472,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Write the report of a study: tables, plots, findings, one HTML page</source>
-        <translation>Écrire le rapport d&apos;une étude : tableaux, courbes, conclusions, une page HTML</translation>
+        <translation>Écrire le rapport d&apos;une étude&#xa0;: tableaux, courbes, conclusions, une page HTML</translation>
     </message>
     <message>
         <source>Folder of results</source>
@@ -3504,7 +3480,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Folder of report.html (default: DIR)</source>
-        <translation>Dossier de report.html (par défaut : DIR)</translation>
+        <translation>Dossier de report.html (par défaut&#xa0;: DIR)</translation>
     </message>
     <message>
         <source>Language of the report</source>
@@ -3524,7 +3500,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Scenario of the run (default: the one that the record names)</source>
-        <translation>Scénario du calcul (par défaut : celui que l&apos;enregistrement nomme)</translation>
+        <translation>Scénario du calcul (par défaut&#xa0;: celui que l&apos;enregistrement nomme)</translation>
     </message>
     <message>
         <source>Language of messages and texts, also behind a command</source>
@@ -3536,7 +3512,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>cannot be written: %1</source>
-        <translation>ne peut pas être écrite : %1</translation>
+        <translation>ne peut pas être écrite&#xa0;: %1</translation>
     </message>
     <message>
         <source>Send it to another file.</source>
@@ -3564,11 +3540,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>&apos;%1&apos; is not a length: give metres, or a unit as in 0.5mm (m, cm, mm, in, ft)</source>
-        <translation>« %1 » n&apos;est pas une longueur : donnez des mètres, ou une unité comme dans 0.5mm (m, cm, mm, in, ft)</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas une longueur&#xa0;: donnez des mètres, ou une unité comme dans 0.5mm (m, cm, mm, in, ft)</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is beyond 1e9 m: check the unit</source>
-        <translation>« %1 » dépasse 1e9 m : vérifiez l&apos;unité</translation>
+        <translation>«&#xa0;%1&#xa0;» dépasse 1e9 m&#xa0;: vérifiez l&apos;unité</translation>
     </message>
     <message>
         <source>Subcommands</source>
@@ -3576,7 +3552,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Glissade: certified motions for virtual assembly</source>
-        <translation>Glissade : des mouvements certifiés pour l&apos;assemblage virtuel</translation>
+        <translation>Glissade&#xa0;: des mouvements certifiés pour l&apos;assemblage virtuel</translation>
     </message>
     <message>
         <source>Usage</source>
@@ -3608,15 +3584,15 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>there is no planner &apos;%1&apos;</source>
-        <translation>il n&apos;y a pas de stratégie « %1 »</translation>
+        <translation>il n&apos;y a pas de stratégie «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>See &apos;glissade-cli plan --help&apos; for the planners.</source>
-        <translation>Voyez les planificateurs avec « glissade-cli plan --help ».</translation>
+        <translation>Voyez les planificateurs avec «&#xa0;glissade-cli plan --help&#xa0;».</translation>
     </message>
     <message>
         <source>there is no operator &apos;%1&apos;</source>
-        <translation>il n&apos;y a pas d&apos;opérateur « %1 »</translation>
+        <translation>il n&apos;y a pas d&apos;opérateur «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Choose one of %1 or replay:FILE.</source>
@@ -3628,11 +3604,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>are not used by strategy &apos;%1&apos;</source>
-        <translation>ne sont pas utilisés par la stratégie « %1 »</translation>
+        <translation>ne sont pas utilisés par la stratégie «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>have preferences, which are not used by strategy &apos;%1&apos;</source>
-        <translation>ont des préférences, que la stratégie « %1 » n&apos;utilise pas</translation>
+        <translation>ont des préférences, que la stratégie «&#xa0;%1&#xa0;» n&apos;utilise pas</translation>
     </message>
     <message>
         <source>seed %1</source>
@@ -3648,23 +3624,23 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>same roadmap as recorded: %1 nodes</source>
-        <translation>même graphe que l&apos;enregistrement : %1 nœuds</translation>
+        <translation>même graphe que l&apos;enregistrement&#xa0;: %1 nœuds</translation>
     </message>
     <message>
         <source>(a record of version 1: only the nodes were counted)</source>
-        <translation>(enregistrement de version 1 : seuls les nœuds ont été comptés)</translation>
+        <translation>(enregistrement de version 1&#xa0;: seuls les nœuds ont été comptés)</translation>
     </message>
     <message>
         <source>(the recording was full there; the run went on)</source>
-        <translation>(l&apos;enregistrement était plein à cet endroit ; le calcul a continué)</translation>
+        <translation>(l&apos;enregistrement était plein à cet endroit&#xa0;; le calcul a continué)</translation>
     </message>
     <message>
         <source>different: the same until step %1, not at step %2 (recorded %3 nodes, replayed %4 at step %5)</source>
-        <translation>différent : identique jusqu&apos;au pas %1, mais pas au pas %2 (%3 nœuds enregistrés, %4 rejoués au pas %5)</translation>
+        <translation>différent&#xa0;: identique jusqu&apos;au pas %1, mais pas au pas %2 (%3 nœuds enregistrés, %4 rejoués au pas %5)</translation>
     </message>
     <message>
         <source>recorded by %1, %2; replayed by Glissade %3, %4</source>
-        <translation>enregistré par %1, %2 ; rejoué par Glissade %3, %4</translation>
+        <translation>enregistré par %1, %2&#xa0;; rejoué par Glissade %3, %4</translation>
     </message>
     <message>
         <source>a forbidden place</source>
@@ -3672,7 +3648,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>forbids places to the path of its object; the steps of an assembly plan may cross them</source>
-        <translation>interdit des lieux au chemin de son objet ; les étapes d&apos;un plan d&apos;assemblage peuvent les traverser</translation>
+        <translation>interdit des lieux au chemin de son objet&#xa0;; les étapes d&apos;un plan d&apos;assemblage peuvent les traverser</translation>
     </message>
     <message>
         <source>Forbid directions of parts instead (--forbid).</source>
@@ -3680,7 +3656,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>warning: %1</source>
-        <translation>avertissement : %1</translation>
+        <translation>avertissement&#xa0;: %1</translation>
     </message>
     <message>
         <source>nothing near</source>
@@ -3688,11 +3664,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>clearance %1 mm to &apos;%2&apos;</source>
-        <translation>jeu de %1 mm par rapport à « %2 »</translation>
+        <translation>jeu de %1 mm par rapport à «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>required %1 mm</source>
-        <translation>exigé : %1 mm</translation>
+        <translation>exigé&#xa0;: %1 mm</translation>
     </message>
     <message>
         <source>%1, %2 of %3 edges slide</source>
@@ -3700,31 +3676,31 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>%1; %2 from forbidden places</source>
-        <translation>%1 ; à %2 des lieux interdits</translation>
+        <translation>%1&#xa0;; à %2 des lieux interdits</translation>
     </message>
     <message>
         <source>certified: %1 (%2)</source>
-        <translation>certifié : %1 (%2)</translation>
+        <translation>certifié&#xa0;: %1 (%2)</translation>
     </message>
     <message>
         <source>violated: on edge %1 the object is in the thread of &apos;%2&apos;, and the edge is no turn about their axis by the pitch</source>
-        <translation>réfuté : sur le segment %1, l&apos;objet est dans le filetage de « %2 », et ce segment n&apos;est pas une rotation autour de leur axe au pas du filetage</translation>
+        <translation>réfuté&#xa0;: sur le segment %1, l&apos;objet est dans le filetage de «&#xa0;%2&#xa0;», et ce segment n&apos;est pas une rotation autour de leur axe au pas du filetage</translation>
     </message>
     <message>
         <source>violated: %1 mm to &apos;%2&apos; on edge %3 at %4 (required %5 mm)</source>
-        <translation>réfuté : à %1 mm de « %2 » sur le segment %3, en %4 (exigé : %5 mm)</translation>
+        <translation>réfuté&#xa0;: à %1 mm de «&#xa0;%2&#xa0;» sur le segment %3, en %4 (exigé&#xa0;: %5 mm)</translation>
     </message>
     <message>
         <source>  edge %1: certified, %2</source>
-        <translation>  segment %1 : certifié, %2</translation>
+        <translation>  segment %1&#xa0;: certifié, %2</translation>
     </message>
     <message>
         <source>  edge %1: violated, %2</source>
-        <translation>  segment %1 : réfuté, %2</translation>
+        <translation>  segment %1&#xa0;: réfuté, %2</translation>
     </message>
     <message>
         <source>  edge %1: undecided, %2</source>
-        <translation>  segment %1 : indécis, %2</translation>
+        <translation>  segment %1&#xa0;: indécis, %2</translation>
     </message>
     <message>
         <source>clearance %1 to %2 mm</source>
@@ -3732,15 +3708,15 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>%1 to &apos;%2&apos; at %3</source>
-        <translation>%1 par rapport à « %2 » en %3</translation>
+        <translation>%1 par rapport à «&#xa0;%2&#xa0;» en %3</translation>
     </message>
     <message>
         <source>%1 (required %2 mm, sliding)</source>
-        <translation>%1 (exigé : %2 mm, en glissement)</translation>
+        <translation>%1 (exigé&#xa0;: %2 mm, en glissement)</translation>
     </message>
     <message>
         <source>%1 (required %2 mm)</source>
-        <translation>%1 (exigé : %2 mm)</translation>
+        <translation>%1 (exigé&#xa0;: %2 mm)</translation>
     </message>
     <message>
         <source>undecided on edge %1</source>
@@ -3748,7 +3724,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>allowance: %1</source>
-        <translation>amincissement : %1</translation>
+        <translation>amincissement&#xa0;: %1</translation>
     </message>
     <message>
         <source>the certificate is about triangles, which are within +/- %1 of the CAD surfaces</source>
@@ -3756,7 +3732,27 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>coordinate spacing: mesh files hold 32-bit numbers or were closed at T-junctions, so that bodies may be %1 mm nearer</source>
-        <translation>espacement des coordonnées : des fichiers de maillage contiennent des nombres sur 32 bits ou ont été fermés à des jonctions en T, si bien que les corps peuvent être plus proches de %1 mm</translation>
+        <translation>espacement des coordonnées&#xa0;: des fichiers de maillage contiennent des nombres sur 32 bits ou ont été fermés à des jonctions en T, si bien que les corps peuvent être plus proches de %1 mm</translation>
+    </message>
+    <message>
+        <source>the trees came within %1 m of each other, from %2 to %3</source>
+        <translation>les arbres se sont approchés à %1 m l&apos;un de l&apos;autre, de %2 à %3</translation>
+    </message>
+    <message>
+        <source>%1; between the object and the goal&apos;s tree stands &apos;%2&apos;, at %3</source>
+        <translation>%1&#xa0;; entre l&apos;objet et l&apos;arbre du but se trouve «&#xa0;%2&#xa0;», en %3</translation>
+    </message>
+    <message>
+        <source>tightest passage reached: %1 mm to &apos;%2&apos;, at %3</source>
+        <translation>passage le plus étroit atteint&#xa0;: %1 mm par rapport à «&#xa0;%2&#xa0;», en %3</translation>
+    </message>
+    <message>
+        <source>with %1 mm given between the object and &apos;%2&apos;, at %3, there is a way of %4 configurations</source>
+        <translation>si l&apos;on accorde %1 mm entre l&apos;objet et «&#xa0;%2&#xa0;», en %3, il existe un chemin de %4 configurations</translation>
+    </message>
+    <message>
+        <source>no erosion of the object that was tried opens a way</source>
+        <translation>aucun des amincissements essayés de l&apos;objet n&apos;ouvre de chemin</translation>
     </message>
     <message>
         <source>solved</source>
@@ -3804,7 +3800,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>your hand showed %1 configurations; %2 were in collision, %3 of these were moved to contact</source>
-        <translation>votre main a montré %1 configurations ; %2 étaient en collision, dont %3 ont été amenées au contact</translation>
+        <translation>votre main a montré %1 configurations&#xa0;; %2 étaient en collision, dont %3 ont été amenées au contact</translation>
     </message>
     <message>
         <source>your way joined start and goal</source>
@@ -3820,11 +3816,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>coarse path %1:</source>
-        <translation>chemin grossier %1 :</translation>
+        <translation>chemin grossier %1&#xa0;:</translation>
     </message>
     <message>
         <source>  %1 to %2: %3, %4 random configurations (%5)</source>
-        <translation>  %1 vers %2 : %3, %4 configurations aléatoires (%5)</translation>
+        <translation>  %1 vers %2&#xa0;: %3, %4 configurations aléatoires (%5)</translation>
     </message>
     <message>
         <source>%1 by %2 after %3 steps (%4 s virtual, %5 s of planning)</source>
@@ -3832,11 +3828,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>nodes %1, edges %2, configurations: random %3, operator %4, contact %5</source>
-        <translation>nœuds : %1, arêtes : %2, configurations aléatoires : %3, de l&apos;opérateur : %4, de contact : %5</translation>
+        <translation>nœuds&#xa0;: %1, arêtes&#xa0;: %2, configurations aléatoires&#xa0;: %3, de l&apos;opérateur&#xa0;: %4, de contact&#xa0;: %5</translation>
     </message>
     <message>
         <source>nodes by the computer %1, the operator %2, contact %3</source>
-        <translation>nœuds de l&apos;ordinateur : %1, de l&apos;opérateur : %2, de contact : %3</translation>
+        <translation>nœuds de l&apos;ordinateur&#xa0;: %1, de l&apos;opérateur&#xa0;: %2, de contact&#xa0;: %3</translation>
     </message>
     <message>
         <source>path of %1 configurations, %2 m, %3 rad</source>
@@ -3844,11 +3840,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>of its length by the computer %1, the operator %2, contact %3</source>
-        <translation>sur sa longueur, l&apos;ordinateur : %1, l&apos;opérateur : %2, le contact : %3</translation>
+        <translation>sur sa longueur, l&apos;ordinateur&#xa0;: %1, l&apos;opérateur&#xa0;: %2, le contact&#xa0;: %3</translation>
     </message>
     <message>
         <source>&apos;%1&apos;</source>
-        <translation>« %1 »</translation>
+        <translation>«&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>held at its start by %1</source>
@@ -3856,11 +3852,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>%1 s: %2</source>
-        <translation>%1 s : %2</translation>
+        <translation>%1 s&#xa0;: %2</translation>
     </message>
     <message>
         <source>comparing pairs of bodies, %1 %</source>
-        <translation>comparaison des paires de corps, %1 %</translation>
+        <translation>comparaison des paires de corps, %1&#xa0;%</translation>
     </message>
     <message>
         <source>searching motions of %1 parts, effort %2</source>
@@ -3868,15 +3864,15 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>%1 of %2 parts: %3 leaves (%4)</source>
-        <translation>%1 pièces sur %2 : %3 sort (%4)</translation>
+        <translation>%1 pièces sur %2&#xa0;: %3 sort (%4)</translation>
     </message>
     <message>
         <source>%1 of %2 parts: %3 leave as one (%4)</source>
-        <translation>%1 pièces sur %2 : %3 sortent ensemble (%4)</translation>
+        <translation>%1 pièces sur %2&#xa0;: %3 sortent ensemble (%4)</translation>
     </message>
     <message>
         <source>is not a number from 1, a comma and a name: %1</source>
-        <translation>n&apos;est pas un nombre à partir de 1, une virgule et un nom : %1</translation>
+        <translation>n&apos;est pas un nombre à partir de 1, une virgule et un nom&#xa0;: %1</translation>
     </message>
     <message>
         <source>Give 3,name.</source>
@@ -3884,7 +3880,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>is not a name, a comma and a direction: %1</source>
-        <translation>n&apos;est pas un nom, une virgule et une direction : %1</translation>
+        <translation>n&apos;est pas un nom, une virgule et une direction&#xa0;: %1</translation>
     </message>
     <message>
         <source>Give name,-z or name,0,0,-1.</source>
@@ -3892,7 +3888,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>is not two names with a comma between them: %1</source>
-        <translation>n&apos;est pas formé de deux noms séparés par une virgule : %1</translation>
+        <translation>n&apos;est pas formé de deux noms séparés par une virgule&#xa0;: %1</translation>
     </message>
     <message>
         <source>Give first,then.</source>
@@ -3908,11 +3904,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>is unknown: %1</source>
-        <translation>est inconnu : %1</translation>
+        <translation>est inconnu&#xa0;: %1</translation>
     </message>
     <message>
-        <source>Choose recognised, suggested or off.</source>
-        <translation>Choisissez recognised, suggested ou off.</translation>
+        <source>Choose one of: %1.</source>
+        <translation>Choisissez parmi&#xa0;: %1.</translation>
     </message>
     <message>
         <source>are off, so that no part leaves that touches another one where it is assembled</source>
@@ -3944,23 +3940,23 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>%1, clearance %2 to &apos;%3&apos;</source>
-        <translation>%1, jeu de %2 par rapport à « %3 »</translation>
+        <translation>%1, jeu de %2 par rapport à «&#xa0;%3&#xa0;»</translation>
     </message>
     <message>
         <source>tool: %1</source>
-        <translation>outil : %1</translation>
+        <translation>outil&#xa0;: %1</translation>
     </message>
     <message>
         <source>forced, although: %1</source>
-        <translation>forcée, bien que : %1</translation>
+        <translation>forcée, bien que&#xa0;: %1</translation>
     </message>
     <message>
         <source>to be held: %1</source>
-        <translation>à tenir : %1</translation>
+        <translation>à tenir&#xa0;: %1</translation>
     </message>
     <message>
         <source>stuck: %1</source>
-        <translation>bloquée : %1</translation>
+        <translation>bloquée&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1, blocked by %2</source>
@@ -3968,7 +3964,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the group of step %1 is taken apart off %2:</source>
-        <translation>le groupe de l&apos;étape %1 se démonte à partir de %2 :</translation>
+        <translation>le groupe de l&apos;étape %1 se démonte à partir de %2&#xa0;:</translation>
     </message>
     <message>
         <source>%1 of %2 parts leave in %3 steps</source>
@@ -3984,7 +3980,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>base: %1</source>
-        <translation>base : %1</translation>
+        <translation>base&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1 of the parts that leave do so in groups that are not taken apart</source>
@@ -4052,7 +4048,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>&apos;%1&apos; is not I/N with I from 1 to N</source>
-        <translation>« %1 » n&apos;est pas I/N avec I de 1 à N</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas I/N avec I de 1 à N</translation>
     </message>
     <message>
         <source>Write 1/4, 2/4, 3/4 and 4/4 for four shards.</source>
@@ -4064,23 +4060,23 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>  %1 seeds of: %2</source>
-        <translation>  %1 graines de : %2</translation>
+        <translation>  %1 graines de&#xa0;: %2</translation>
     </message>
     <message>
         <source>swept volume %1 %2, %3 triangles; it contains the sweep, and its surface is at most %4 mm away from it</source>
-        <translation>volume balayé de %1 %2, %3 triangles ; il contient tout le balayage, et sa surface en est éloignée de %4 mm au plus</translation>
+        <translation>volume balayé de %1 %2, %3 triangles&#xa0;; il contient tout le balayage, et sa surface en est éloignée de %4 mm au plus</translation>
     </message>
     <message>
         <source>its volume is about %1 % larger than what the object covers</source>
-        <translation>son volume dépasse d&apos;environ %1 % ce que l&apos;objet occupe</translation>
+        <translation>son volume dépasse d&apos;environ %1&#xa0;% ce que l&apos;objet occupe</translation>
     </message>
     <message>
         <source>how much larger its volume is than what the object covers is not known: the object is thin</source>
-        <translation>on ne sait pas de combien son volume dépasse ce que l&apos;objet occupe : l&apos;objet est mince</translation>
+        <translation>on ne sait pas de combien son volume dépasse ce que l&apos;objet occupe&#xa0;: l&apos;objet est mince</translation>
     </message>
     <message>
         <source>within it or at its surface: %1</source>
-        <translation>à l&apos;intérieur ou à sa surface : %1</translation>
+        <translation>à l&apos;intérieur ou à sa surface&#xa0;: %1</translation>
     </message>
     <message>
         <source>the swept volume was not written</source>
@@ -4088,7 +4084,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the times are estimates and were not measured; --write-table writes the table, --table reads an edited one</source>
-        <translation>les temps sont des estimations et n&apos;ont pas été mesurés ; --write-table écrit le tableau, --table en lit un modifié</translation>
+        <translation>les temps sont des estimations et n&apos;ont pas été mesurés&#xa0;; --write-table écrit le tableau, --table en lit un modifié</translation>
     </message>
     <message>
         <source>step  seconds   fetch   place    turn    tool    hold  parts</source>
@@ -4096,19 +4092,19 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>%1 stations: a product every %2 s (no division is faster than %3 s), people work %4 % of the time</source>
-        <translation>%1 postes : un produit toutes les %2 s (aucune répartition ne descend sous %3 s), les personnes travaillent %4 % du temps</translation>
+        <translation>%1 postes&#xa0;: un produit toutes les %2 s (aucune répartition ne descend sous %3 s), les personnes travaillent %4&#xa0;% du temps</translation>
     </message>
     <message>
         <source>  station %1: %2 s, steps %3</source>
-        <translation>  poste %1 : %2 s, étapes %3</translation>
+        <translation>  poste %1&#xa0;: %2 s, étapes %3</translation>
     </message>
     <message>
         <source>one person: %1 s</source>
-        <translation>une personne : %1 s</translation>
+        <translation>une personne&#xa0;: %1 s</translation>
     </message>
     <message>
         <source>longest chain: %1 s, steps %2</source>
-        <translation>chaîne la plus longue : %1 s, étapes %2</translation>
+        <translation>chaîne la plus longue&#xa0;: %1 s, étapes %2</translation>
     </message>
     <message>
         <source>running the workbench</source>
@@ -4148,7 +4144,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>is a file too many: one scenario is opened</source>
-        <translation>est un fichier de trop : un seul scénario est ouvert</translation>
+        <translation>est un fichier de trop&#xa0;: un seul scénario est ouvert</translation>
     </message>
     <message>
         <source>Give one scenario, or on screen part files only. glissade-cli new makes a scenario of parts.</source>
@@ -4188,7 +4184,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>edits cannot be saved automatically: %1</source>
-        <translation>les modifications ne peuvent pas être enregistrées automatiquement : %1</translation>
+        <translation>les modifications ne peuvent pas être enregistrées automatiquement&#xa0;: %1</translation>
     </message>
     <message>
         <source>Save the scenario.</source>
@@ -4208,7 +4204,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>ffmpeg could not write the film: %1</source>
-        <translation>ffmpeg n&apos;a pas pu écrire le film : %1</translation>
+        <translation>ffmpeg n&apos;a pas pu écrire le film&#xa0;: %1</translation>
     </message>
     <message>
         <source>Check the folder, its free space, and that ffmpeg has the codecs libx264 and libvpx-vp9.</source>
@@ -4232,7 +4228,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Choose one of: .mp4, .webm, .png.</source>
-        <translation>Choisissez parmi : .mp4, .webm, .png.</translation>
+        <translation>Choisissez parmi&#xa0;: .mp4, .webm, .png.</translation>
     </message>
     <message>
         <source>handling an event of the window</source>
@@ -4288,7 +4284,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Make &apos;%1&apos; the object first.</source>
-        <translation>Faites d&apos;abord de « %1 » l&apos;objet.</translation>
+        <translation>Faites d&apos;abord de «&#xa0;%1&#xa0;» l&apos;objet.</translation>
     </message>
     <message>
         <source>a run is going on</source>
@@ -4304,7 +4300,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the milestone would be in collision with &apos;%1&apos;</source>
-        <translation>le jalon serait en collision avec « %1 »</translation>
+        <translation>le jalon serait en collision avec «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Drop it where the object is free.</source>
@@ -4375,6 +4371,10 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
         <translation>Lancez d&apos;abord un calcul.</translation>
     </message>
     <message>
+        <source>See the list of the interaction panel.</source>
+        <translation>Voyez la liste du panneau d&apos;interaction.</translation>
+    </message>
+    <message>
         <source>cutting bodies open</source>
         <translation>coupe des corps</translation>
     </message>
@@ -4400,7 +4400,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Choose one of: .json, .csv, .glb, .html, .pdf, .mp4, .webm, .png.</source>
-        <translation>Choisissez parmi : .json, .csv, .glb, .html, .pdf, .mp4, .webm, .png.</translation>
+        <translation>Choisissez parmi&#xa0;: .json, .csv, .glb, .html, .pdf, .mp4, .webm, .png.</translation>
     </message>
     <message>
         <source>looking for a view of the step</source>
@@ -4456,7 +4456,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the journal cannot be written: %1</source>
-        <translation>le journal ne peut pas être écrit : %1</translation>
+        <translation>le journal ne peut pas être écrit&#xa0;: %1</translation>
     </message>
     <message>
         <source>The run is not recorded on disk.</source>
@@ -4548,7 +4548,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the scenario&apos;s rule %1 uses the attribute &apos;%2&apos;</source>
-        <translation>la règle %1 du scénario utilise l&apos;attribut « %2 »</translation>
+        <translation>la règle %1 du scénario utilise l&apos;attribut «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>Change the rule first.</source>
@@ -4556,7 +4556,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>&apos;%1&apos; is not a number</source>
-        <translation>« %1 » n&apos;est pas un nombre</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas un nombre</translation>
     </message>
     <message>
         <source>Write it like 0.25.</source>
@@ -4584,7 +4584,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the manual names what does not exist: %1</source>
-        <translation>le manuel nomme ce qui n&apos;existe pas : %1</translation>
+        <translation>le manuel nomme ce qui n&apos;existe pas&#xa0;: %1</translation>
     </message>
     <message>
         <source>Correct the page.</source>
@@ -4616,11 +4616,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>names &apos;%1&apos;, which is not a body of the product</source>
-        <translation>nomme « %1 », qui n&apos;est pas un corps du produit</translation>
+        <translation>nomme «&#xa0;%1&#xa0;», qui n&apos;est pas un corps du produit</translation>
     </message>
     <message>
         <source>See &apos;glissade-cli fits&apos; for the names.</source>
-        <translation>Les noms sont ceux de « glissade-cli fits ».</translation>
+        <translation>Les noms sont ceux de «&#xa0;glissade-cli fits&#xa0;».</translation>
     </message>
     <message>
         <source>leaves no body</source>
@@ -4660,7 +4660,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>cannot be started: %1: %2</source>
-        <translation>ne peut pas être lancé : %1 : %2</translation>
+        <translation>ne peut pas être lancé&#xa0;: %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Install the program again.</source>
@@ -4672,7 +4672,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>cannot be read: %1</source>
-        <translation>ne peut pas être lu : %1</translation>
+        <translation>ne peut pas être lu&#xa0;: %1</translation>
     </message>
     <message>
         <source>is too large</source>
@@ -4684,7 +4684,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>cannot be opened: %1</source>
-        <translation>ne peut pas être ouvert : %1</translation>
+        <translation>ne peut pas être ouvert&#xa0;: %1</translation>
     </message>
     <message>
         <source>Check the name and the folder.</source>
@@ -4704,7 +4704,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>was not saved: another program has changed the file since it was read</source>
-        <translation>n&apos;a pas été enregistré : un autre programme a modifié le fichier depuis sa lecture</translation>
+        <translation>n&apos;a pas été enregistré&#xa0;: un autre programme a modifié le fichier depuis sa lecture</translation>
     </message>
     <message>
         <source>Save under another name, or open the file again.</source>
@@ -4712,7 +4712,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>was not saved: the file has been removed or renamed since it was read</source>
-        <translation>n&apos;a pas été enregistré : le fichier a été supprimé ou renommé depuis sa lecture</translation>
+        <translation>n&apos;a pas été enregistré&#xa0;: le fichier a été supprimé ou renommé depuis sa lecture</translation>
     </message>
     <message>
         <source>Save under another name.</source>
@@ -4760,7 +4760,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>cannot be saved over the present file: %1</source>
-        <translation>ne peut pas remplacer le fichier présent : %1</translation>
+        <translation>ne peut pas remplacer le fichier présent&#xa0;: %1</translation>
     </message>
     <message>
         <source>its folder could not be flushed to the disk</source>
@@ -4780,7 +4780,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>no earlier version was kept: %1</source>
-        <translation>aucune version antérieure n&apos;a été conservée : %1</translation>
+        <translation>aucune version antérieure n&apos;a été conservée&#xa0;: %1</translation>
     </message>
     <message>
         <source>its folder of earlier versions cannot be made</source>
@@ -4796,7 +4796,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>there was not enough memory while %1 (%2)</source>
-        <translation>la mémoire n&apos;a pas suffi pour cette opération : %1 (%2)</translation>
+        <translation>la mémoire n&apos;a pas suffi pour cette opération&#xa0;: %1 (%2)</translation>
     </message>
     <message>
         <source>Close other programs or use coarser parts, then try again.</source>
@@ -4804,7 +4804,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>an error occurred while %1: %2</source>
-        <translation>une erreur est survenue pendant cette opération : %1 (%2)</translation>
+        <translation>une erreur est survenue pendant cette opération&#xa0;: %1 (%2)</translation>
     </message>
     <message>
         <source>Try again. If it happens again, report it with the scenario and the seed.</source>
@@ -4828,7 +4828,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Remove it, or use one of: %1.</source>
-        <translation>Supprimez-la, ou utilisez l&apos;une de : %1.</translation>
+        <translation>Supprimez-la, ou utilisez l&apos;une de&#xa0;: %1.</translation>
     </message>
     <message>
         <source>is missing</source>
@@ -4872,7 +4872,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Give metres; check the unit.</source>
-        <translation>Donnez des mètres ; vérifiez l&apos;unité.</translation>
+        <translation>Donnez des mètres&#xa0;; vérifiez l&apos;unité.</translation>
     </message>
     <message>
         <source>is not a whole number of zero or more</source>
@@ -4892,7 +4892,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>holds the key &apos;%1&apos; twice in one object</source>
-        <translation>contient deux fois la clé « %1 » dans un objet</translation>
+        <translation>contient deux fois la clé «&#xa0;%1&#xa0;» dans un objet</translation>
     </message>
     <message>
         <source>holds an object with more than %1 keys</source>
@@ -4935,12 +4935,16 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
         <translation>Corrigez le nombre.</translation>
     </message>
     <message>
+        <source>is not one of: %1</source>
+        <translation>n&apos;est pas l&apos;une des valeurs&#xa0;: %1</translation>
+    </message>
+    <message>
         <source>Authority</source>
         <translation>Autorité</translation>
     </message>
     <message>
         <source>The computer&apos;s share of the iterations: 1 is the automatic planner alone, 0 the operator alone.</source>
-        <translation>La part de l&apos;ordinateur dans les itérations : 1 est le planificateur seul, 0 l&apos;opérateur seul.</translation>
+        <translation>La part de l&apos;ordinateur dans les itérations&#xa0;: 1 est le planificateur seul, 0 l&apos;opérateur seul.</translation>
     </message>
     <message>
         <source>Contact samples</source>
@@ -5004,7 +5008,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Lockstep clock: planner steps in one second of the simulated or recorded operator.</source>
-        <translation>Horloge du mode pas à pas : pas du planificateur par seconde de l&apos;opérateur simulé ou enregistré.</translation>
+        <translation>Horloge du mode pas à pas&#xa0;: pas du planificateur par seconde de l&apos;opérateur simulé ou enregistré.</translation>
     </message>
     <message>
         <source>Step limit</source>
@@ -5012,7 +5016,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Stop after this many planner steps; 0 is no limit.</source>
-        <translation>Arrêter après ce nombre de pas du planificateur ; 0 : sans limite.</translation>
+        <translation>Arrêter après ce nombre de pas du planificateur&#xa0;; 0&#xa0;: sans limite.</translation>
     </message>
     <message>
         <source>Sample limit</source>
@@ -5020,7 +5024,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Stop after this many random configurations; 0 is no limit.</source>
-        <translation>Arrêter après ce nombre de configurations aléatoires ; 0 : sans limite.</translation>
+        <translation>Arrêter après ce nombre de configurations aléatoires&#xa0;; 0&#xa0;: sans limite.</translation>
     </message>
     <message>
         <source>Time limit</source>
@@ -5028,7 +5032,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Stop after this many seconds of planning; 0 is no limit.</source>
-        <translation>Arrêter après ce nombre de secondes de planification ; 0 : sans limite.</translation>
+        <translation>Arrêter après ce nombre de secondes de planification&#xa0;; 0&#xa0;: sans limite.</translation>
     </message>
     <message>
         <source>Samples of strategy G</source>
@@ -5068,7 +5072,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Shortcuts tried on the path found, each certified before it is taken; 0 leaves the path as planned.</source>
-        <translation>Raccourcis essayés sur le chemin trouvé, chacun certifié avant d&apos;être pris ; 0 laisse le chemin tel que planifié.</translation>
+        <translation>Raccourcis essayés sur le chemin trouvé, chacun certifié avant d&apos;être pris&#xa0;; 0 laisse le chemin tel que planifié.</translation>
     </message>
     <message>
         <source>Repulsion</source>
@@ -5076,7 +5080,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Guidance: how strongly obstacles nearer than the contact distance push the hand away; 0 is off.</source>
-        <translation>Guidage : avec quelle force les obstacles plus proches que la distance de contact repoussent la main ; 0 pour aucune.</translation>
+        <translation>Guidage&#xa0;: avec quelle force les obstacles plus proches que la distance de contact repoussent la main&#xa0;; 0 pour aucune.</translation>
     </message>
     <message>
         <source>Attraction</source>
@@ -5084,7 +5088,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Guidance: how strongly the path or the next milestone draws the hand; 0 is off.</source>
-        <translation>Guidage : avec quelle force le chemin ou le prochain jalon attire la main ; 0 pour aucune.</translation>
+        <translation>Guidage&#xa0;: avec quelle force le chemin ou le prochain jalon attire la main&#xa0;; 0 pour aucune.</translation>
     </message>
     <message>
         <source>OMPL&apos;s range</source>
@@ -5092,7 +5096,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Longest edge of the planners of unmodified OMPL, as a share of the space&apos;s extent; 0 is OMPL&apos;s default.</source>
-        <translation>Plus long segment des planificateurs d&apos;OMPL non modifié, en part de l&apos;étendue de l&apos;espace ; 0 : valeur par défaut d&apos;OMPL.</translation>
+        <translation>Plus long segment des planificateurs d&apos;OMPL non modifié, en part de l&apos;étendue de l&apos;espace&#xa0;; 0&#xa0;: valeur par défaut d&apos;OMPL.</translation>
     </message>
     <message>
         <source>OMPL&apos;s resolution</source>
@@ -5108,7 +5112,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>What sets itself while planning, added up: 1 for α, 2 for N, 4 for d. 0 is nothing, 7 all three.</source>
-        <translation>Valeurs que le programme règle pendant la planification, en somme : 1 pour α, 2 pour N, 4 pour d. 0 : aucune, 7 : les trois.</translation>
+        <translation>Valeurs que le programme règle pendant la planification, en somme&#xa0;: 1 pour α, 2 pour N, 4 pour d. 0&#xa0;: aucune, 7&#xa0;: les trois.</translation>
     </message>
     <message>
         <source>Planners side by side</source>
@@ -5116,7 +5120,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Planners of strategy auto that work at the same time, on as many of the machine&apos;s cores. Another number is another search; the cores do not change it.</source>
-        <translation>Nombre de planificateurs de la stratégie auto qui travaillent en même temps, sur autant de cœurs de la machine. Un autre nombre donne une autre recherche ; le nombre de cœurs ne la change pas.</translation>
+        <translation>Nombre de planificateurs de la stratégie auto qui travaillent en même temps, sur autant de cœurs de la machine. Un autre nombre donne une autre recherche&#xa0;; le nombre de cœurs ne la change pas.</translation>
     </message>
     <message>
         <source>Pace</source>
@@ -5124,7 +5128,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>In the window: planner steps a second, so that a person can watch and steer. 0 is full speed; the first paper&apos;s planner made 40.</source>
-        <translation>Dans la fenêtre : pas du planificateur par seconde, pour regarder et guider. 0 : pleine vitesse ; le planificateur du premier article en faisait 40.</translation>
+        <translation>Dans la fenêtre&#xa0;: pas du planificateur par seconde, pour regarder et guider. 0&#xa0;: pleine vitesse&#xa0;; le planificateur du premier article en faisait 40.</translation>
     </message>
     <message>
         <source>a whole number</source>
@@ -5200,7 +5204,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>cannot be saved: %1</source>
-        <translation>ne peut pas être enregistré : %1</translation>
+        <translation>ne peut pas être enregistré&#xa0;: %1</translation>
     </message>
     <message>
         <source>What was there is untouched. %1</source>
@@ -5249,6 +5253,10 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     <message>
         <source>clashes up to %1 are accepted (--accept-clashes %2)</source>
         <translation>les collisions jusqu&apos;à %1 sont acceptées (--accept-clashes %2)</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is the one that is cut (--cut &quot;%2&quot;)</source>
+        <translation>« %1 » est celui qui est découpé (--cut &quot;%2&quot;)</translation>
     </message>
     <message>
         <source>the hook of &apos;%1&apos; in &apos;%2&apos; bends by %3</source>
@@ -5312,7 +5320,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>a person calls the pair &apos;%1&apos;</source>
-        <translation>une personne dit que la paire est « %1 »</translation>
+        <translation>une personne dit que la paire est «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>a person accepts their clash</source>
@@ -5320,15 +5328,15 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the edge turns by half a circle, and rounding decides which way; insert a configuration between its ends</source>
-        <translation>le segment tourne d&apos;un demi-tour, et c&apos;est l&apos;arrondi qui décide du sens ; insérez une configuration entre ses extrémités</translation>
+        <translation>le segment tourne d&apos;un demi-tour, et c&apos;est l&apos;arrondi qui décide du sens&#xa0;; insérez une configuration entre ses extrémités</translation>
     </message>
     <message>
         <source>the rounding of coordinates of this size is not small against the required clearance; move the scene to the origin, or require more clearance</source>
-        <translation>l&apos;arrondi de coordonnées de cette grandeur n&apos;est pas petit devant le jeu exigé ; rapprochez la scène de l&apos;origine, ou exigez plus de jeu</translation>
+        <translation>l&apos;arrondi de coordonnées de cette grandeur n&apos;est pas petit devant le jeu exigé&#xa0;; rapprochez la scène de l&apos;origine, ou exigez plus de jeu</translation>
     </message>
     <message>
         <source>the clearance is so close to the required one that %1 comparisons of triangles do not prove it; require less clearance, or divide the edge</source>
-        <translation>le jeu est si proche du jeu exigé que %1 comparaisons de triangles ne le prouvent pas ; exigez moins de jeu, ou divisez le segment</translation>
+        <translation>le jeu est si proche du jeu exigé que %1 comparaisons de triangles ne le prouvent pas&#xa0;; exigez moins de jeu, ou divisez le segment</translation>
     </message>
     <message>
         <source>the check was stopped</source>
@@ -5336,7 +5344,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>it states &quot;after&quot;: %1, and %2 steps come before it</source>
-        <translation>elle indique « after » : %1, et %2 étapes la précèdent</translation>
+        <translation>elle indique «&#xa0;after&#xa0;»&#xa0;: %1, et %2 étapes la précèdent</translation>
     </message>
     <message>
         <source>it is of a flexible body, and says that it is certified</source>
@@ -5348,19 +5356,19 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>it moves &apos;%1&apos;, which is not a body of the product</source>
-        <translation>elle déplace « %1 », qui n&apos;est pas un corps du produit</translation>
+        <translation>elle déplace «&#xa0;%1&#xa0;», qui n&apos;est pas un corps du produit</translation>
     </message>
     <message>
         <source>it moves &apos;%1&apos;, which is said to stay</source>
-        <translation>elle déplace « %1 », dont il est dit qu&apos;il reste</translation>
+        <translation>elle déplace «&#xa0;%1&#xa0;», dont il est dit qu&apos;il reste</translation>
     </message>
     <message>
         <source>it moves &apos;%1&apos;, which has left before</source>
-        <translation>elle déplace « %1 », qui est déjà sorti</translation>
+        <translation>elle déplace «&#xa0;%1&#xa0;», qui est déjà sorti</translation>
     </message>
     <message>
         <source>it moves &apos;%1&apos;, which is not in the group</source>
-        <translation>elle déplace « %1 », qui n&apos;est pas dans le groupe</translation>
+        <translation>elle déplace «&#xa0;%1&#xa0;», qui n&apos;est pas dans le groupe</translation>
     </message>
     <message>
         <source>it moves no body</source>
@@ -5368,7 +5376,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>fits are off: every pair has to keep its clearance</source>
-        <translation>les ajustements sont désactivés : chaque paire doit garder son jeu</translation>
+        <translation>les ajustements sont désactivés&#xa0;: chaque paire doit garder son jeu</translation>
     </message>
     <message>
         <source>they are apart</source>
@@ -5376,7 +5384,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>&apos;%1&apos; and &apos;%2&apos;: the file&apos;s pitch is not the one that a person gives for the thread</source>
-        <translation>« %1 » et « %2 » : le pas du fichier n&apos;est pas celui qu&apos;une personne donne pour le filetage</translation>
+        <translation>«&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;»&#xa0;: le pas du fichier n&apos;est pas celui qu&apos;une personne donne pour le filetage</translation>
     </message>
     <message>
         <source>the scenario forbids places, and where they are is not known</source>
@@ -5384,11 +5392,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the file states an allowance of &apos;%1&apos; against &apos;%2&apos;, which are not the object and another body</source>
-        <translation>le fichier indique un amincissement de « %1 » face à « %2 », qui ne sont pas l&apos;objet et un autre corps</translation>
+        <translation>le fichier indique un amincissement de «&#xa0;%1&#xa0;» face à «&#xa0;%2&#xa0;», qui ne sont pas l&apos;objet et un autre corps</translation>
     </message>
     <message>
         <source>configuration %1 is outside the scenario&apos;s workspace; the path was not examined further</source>
-        <translation>la configuration %1 est hors de l&apos;espace de travail du scénario ; la suite du chemin n&apos;a pas été examinée</translation>
+        <translation>la configuration %1 est hors de l&apos;espace de travail du scénario&#xa0;; la suite du chemin n&apos;a pas été examinée</translation>
     </message>
     <message>
         <source>1 pair overlaps without being a fit, a thread or a press</source>
@@ -5400,35 +5408,35 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>&apos;%1&apos; and &apos;%2&apos; by %3</source>
-        <translation>« %1 » et « %2 » de %3</translation>
+        <translation>«&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» de %3</translation>
     </message>
     <message>
         <source>the plan lists &apos;%1&apos; twice</source>
-        <translation>le plan énumère deux fois « %1 »</translation>
+        <translation>le plan énumère deux fois «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>the plan lists &apos;%1&apos;, which is not a body of the product</source>
-        <translation>le plan énumère « %1 », qui n&apos;est pas un corps du produit</translation>
+        <translation>le plan énumère «&#xa0;%1&#xa0;», qui n&apos;est pas un corps du produit</translation>
     </message>
     <message>
         <source>the product has &apos;%1&apos;, which the plan does not list</source>
-        <translation>le produit contient « %1 », que le plan n&apos;énumère pas</translation>
+        <translation>le produit contient «&#xa0;%1&#xa0;», que le plan n&apos;énumère pas</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is said to stay and is none of the plan&apos;s bodies</source>
-        <translation>il est dit que « %1 » reste, mais ce n&apos;est pas un corps du plan</translation>
+        <translation>il est dit que «&#xa0;%1&#xa0;» reste, mais ce n&apos;est pas un corps du plan</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is said to stay twice</source>
-        <translation>il est dit deux fois que « %1 » reste</translation>
+        <translation>il est dit deux fois que «&#xa0;%1&#xa0;» reste</translation>
     </message>
     <message>
         <source>the plan states &quot;%1&quot;: %2, and there are %3</source>
-        <translation>le plan indique « %1 » : %2, et il y en a %3</translation>
+        <translation>le plan indique «&#xa0;%1&#xa0;»&#xa0;: %2, et il y en a %3</translation>
     </message>
     <message>
         <source>a demand is about &apos;%1&apos;, which no body or assembly is called: it is not judged</source>
-        <translation>une exigence porte sur « %1 », qui n&apos;est le nom d&apos;aucun corps ni assemblage : elle n&apos;est pas jugée</translation>
+        <translation>une exigence porte sur «&#xa0;%1&#xa0;», qui n&apos;est le nom d&apos;aucun corps ni assemblage&#xa0;: elle n&apos;est pas jugée</translation>
     </message>
     <message>
         <source>the plan states that it is not certified</source>
@@ -5440,7 +5448,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the plan is called complete, and all of its bodies stay: nothing is taken apart</source>
-        <translation>le plan est dit complet, et tous ses corps restent : rien n&apos;est démonté</translation>
+        <translation>le plan est dit complet, et tous ses corps restent&#xa0;: rien n&apos;est démonté</translation>
     </message>
     <message>
         <source>the plan is called complete, and %1 of %2 parts have no step</source>
@@ -5448,11 +5456,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>&apos;%1&apos; moves in a direction that is forbidden to it before it is clear of what it touched</source>
-        <translation>« %1 » se déplace dans une direction qui lui est interdite avant d&apos;être dégagé de ce qu&apos;il touchait</translation>
+        <translation>«&#xa0;%1&#xa0;» se déplace dans une direction qui lui est interdite avant d&apos;être dégagé de ce qu&apos;il touchait</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is demanded to leave before, and the step does not say that it does not</source>
-        <translation>« %1 » doit sortir avant, et l&apos;étape ne signale pas le contraire</translation>
+        <translation>«&#xa0;%1&#xa0;» doit sortir avant, et l&apos;étape ne signale pas le contraire</translation>
     </message>
     <message>
         <source>it is demanded to leave together with others, which stay behind</source>
@@ -5472,7 +5480,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>it states &quot;step&quot;: %1, and there are %2</source>
-        <translation>elle indique « step » : %1, et il y en a %2</translation>
+        <translation>elle indique «&#xa0;step&#xa0;»&#xa0;: %1, et il y en a %2</translation>
     </message>
     <message>
         <source>its bodies are not those of its step</source>
@@ -5480,7 +5488,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>&apos;%1&apos; is said to stay and is not in the group</source>
-        <translation>il est dit que « %1 » reste, mais ce corps n&apos;est pas dans le groupe</translation>
+        <translation>il est dit que «&#xa0;%1&#xa0;» reste, mais ce corps n&apos;est pas dans le groupe</translation>
     </message>
     <message>
         <source>its step has another line</source>
@@ -5508,7 +5516,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Each line holds x y z qx qy qz qw; a CSV begins with its header.</source>
-        <translation>Chaque ligne contient x y z qx qy qz qw ; un CSV commence par son en-tête.</translation>
+        <translation>Chaque ligne contient x y z qx qy qz qw&#xa0;; un CSV commence par son en-tête.</translation>
     </message>
     <message>
         <source>Each line holds %1.</source>
@@ -5520,11 +5528,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>holds &apos;%1&apos;, which is not a finite number</source>
-        <translation>contient « %1 », qui n&apos;est pas un nombre fini</translation>
+        <translation>contient «&#xa0;%1&#xa0;», qui n&apos;est pas un nombre fini</translation>
     </message>
     <message>
         <source>holds &apos;%1&apos;, which is beyond 1e9 m</source>
-        <translation>contient « %1 », qui dépasse 1e9 m</translation>
+        <translation>contient «&#xa0;%1&#xa0;», qui dépasse 1e9 m</translation>
     </message>
     <message>
         <source>has an orientation that is not a unit quaternion</source>
@@ -5532,11 +5540,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>names an unknown author &apos;%1&apos;</source>
-        <translation>nomme un auteur inconnu, « %1 »</translation>
+        <translation>nomme un auteur inconnu, «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>is not &quot;glissade-path&quot;</source>
-        <translation>n&apos;est pas « glissade-path »</translation>
+        <translation>n&apos;est pas «&#xa0;glissade-path&#xa0;»</translation>
     </message>
     <message>
         <source>is not 1</source>
@@ -5560,7 +5568,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>is not &quot;glissade-plan&quot;</source>
-        <translation>n&apos;est pas « glissade-plan »</translation>
+        <translation>n&apos;est pas «&#xa0;glissade-plan&#xa0;»</translation>
     </message>
     <message>
         <source>is not complete, stuck, time_limit or interrupted</source>
@@ -5580,7 +5588,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>body &apos;%1&apos;</source>
-        <translation>corps « %1 »</translation>
+        <translation>corps «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>is not a closed surface</source>
@@ -5588,11 +5596,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Being inside it is not seen as a collision; close its surface, or let planar holes be closed (--close-holes).</source>
-        <translation>Une position à l&apos;intérieur n&apos;est pas reconnue comme une collision ; fermez sa surface, ou faites fermer les trous plans (--close-holes).</translation>
+        <translation>Une position à l&apos;intérieur n&apos;est pas reconnue comme une collision&#xa0;; fermez sa surface, ou faites fermer les trous plans (--close-holes).</translation>
     </message>
     <message>
         <source>names the body &apos;%1&apos;, which is not there</source>
-        <translation>nomme le corps « %1 », qui n&apos;existe pas</translation>
+        <translation>nomme le corps «&#xa0;%1&#xa0;», qui n&apos;existe pas</translation>
     </message>
     <message>
         <source>is a part file, and a scenario is needed</source>
@@ -5600,7 +5608,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Make a scenario of it: glissade-cli new OUT.json --moves FILE:PART --static FILE.</source>
-        <translation>Faites-en un scénario : glissade-cli new OUT.json --moves FICHIER:PIÈCE --static FICHIER.</translation>
+        <translation>Faites-en un scénario&#xa0;: glissade-cli new OUT.json --moves FICHIER:PIÈCE --static FICHIER.</translation>
     </message>
     <message>
         <source>Check the scenario, then save it again or remove the checksum.</source>
@@ -5624,15 +5632,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>holds one body: there is nothing to take apart</source>
-        <translation>contient un seul corps : il n&apos;y a rien à démonter</translation>
+        <translation>contient un seul corps&#xa0;: il n&apos;y a rien à démonter</translation>
     </message>
     <message>
         <source>Give a product of several parts.</source>
         <translation>Donnez un produit de plusieurs pièces.</translation>
-    </message>
-    <message>
-        <source>is neither &quot;y&quot; nor &quot;z&quot;</source>
-        <translation>n&apos;est ni « y » ni « z »</translation>
     </message>
     <message>
         <source>does not name exactly one shape</source>
@@ -5640,7 +5644,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>names the asset &apos;%1&apos;, which is not in /assets</source>
-        <translation>nomme l&apos;asset « %1 », qui n&apos;est pas dans /assets</translation>
+        <translation>nomme l&apos;asset «&#xa0;%1&#xa0;», qui n&apos;est pas dans /assets</translation>
     </message>
     <message>
         <source>has a size that is not above zero, or below 1e-12 m</source>
@@ -5648,7 +5652,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>is the same body as &apos;a&apos;</source>
-        <translation>est le même corps que « a »</translation>
+        <translation>est le même corps que «&#xa0;a&#xa0;»</translation>
     </message>
     <message>
         <source>is not a kind of fit</source>
@@ -5664,7 +5668,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Give metres a turn, from 0.00001 to 1; below zero for a left-handed thread.</source>
-        <translation>Donnez des mètres par tour, de 0.00001 à 1 ; négatif pour un filetage à gauche.</translation>
+        <translation>Donnez des mètres par tour, de 0.00001 à 1&#xa0;; négatif pour un filetage à gauche.</translation>
     </message>
     <message>
         <source>is neither of the two bodies</source>
@@ -5672,7 +5676,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>is neither &quot;on&quot; nor &quot;off&quot;</source>
-        <translation>n&apos;est ni « on » ni « off »</translation>
+        <translation>n&apos;est ni «&#xa0;on&#xa0;» ni «&#xa0;off&#xa0;»</translation>
     </message>
     <message>
         <source>is about a pair that was there before</source>
@@ -5692,19 +5696,19 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>is not &quot;glissade-scenario&quot;</source>
-        <translation>n&apos;est pas « glissade-scenario »</translation>
+        <translation>n&apos;est pas «&#xa0;glissade-scenario&#xa0;»</translation>
     </message>
     <message>
         <source>holds a &apos;/&apos;</source>
-        <translation>contient un « / »</translation>
+        <translation>contient un «&#xa0;/&#xa0;»</translation>
     </message>
     <message>
         <source>has the id &apos;%1&apos; a second time</source>
-        <translation>a une seconde fois l&apos;identifiant « %1 »</translation>
+        <translation>a une seconde fois l&apos;identifiant «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>is neither a configuration nor &quot;out&quot;</source>
-        <translation>n&apos;est ni une configuration ni « out »</translation>
+        <translation>n&apos;est ni une configuration ni «&#xa0;out&#xa0;»</translation>
     </message>
     <message>
         <source>is not a parameter</source>
@@ -5724,11 +5728,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>it states &quot;%1&quot;: %2, and the judge finds %3</source>
-        <translation>elle indique « %1 » : %2, et le juge trouve : %3</translation>
+        <translation>elle indique «&#xa0;%1&#xa0;»&#xa0;: %2, et le juge trouve&#xa0;: %3</translation>
     </message>
     <message>
         <source>it states &quot;%1&quot;: %2 of %3, and the judge finds %4</source>
-        <translation>elle indique « %1 » : %2 pour %3, et le juge trouve : %4</translation>
+        <translation>elle indique «&#xa0;%1&#xa0;»&#xa0;: %2 pour %3, et le juge trouve&#xa0;: %4</translation>
     </message>
     <message>
         <source>at most %1</source>
@@ -5752,7 +5756,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the joint of &apos;%1&apos;</source>
-        <translation>la liaison de « %1 »</translation>
+        <translation>la liaison de «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>a cylinder of %1</source>
@@ -5776,23 +5780,23 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the allowance for &apos;%1&apos; and &apos;%2&apos;</source>
-        <translation>l&apos;amincissement pour « %1 » et « %2 »</translation>
+        <translation>l&apos;amincissement pour «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>it states an allowance of &apos;%1&apos; against &apos;%2&apos;, which are not a body of the step and one of the product</source>
-        <translation>elle indique un amincissement de « %1 » face à « %2 », qui ne sont pas un corps de l&apos;étape et un corps du produit</translation>
+        <translation>elle indique un amincissement de «&#xa0;%1&#xa0;» face à «&#xa0;%2&#xa0;», qui ne sont pas un corps de l&apos;étape et un corps du produit</translation>
     </message>
     <message>
         <source>it says that it does not keep the rule &quot;%1&quot; about %2</source>
-        <translation>elle dit ne pas respecter la règle « %1 » pour %2</translation>
+        <translation>elle dit ne pas respecter la règle «&#xa0;%1&#xa0;» pour %2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; and &apos;%2&apos;: the thread is modelled with a pitch of %3, and the motion has %4</source>
-        <translation>« %1 » et « %2 » : le filetage est modélisé avec un pas de %3, et le mouvement a un pas de %4</translation>
+        <translation>«&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;»&#xa0;: le filetage est modélisé avec un pas de %3, et le mouvement a un pas de %4</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is pulled off &apos;%2&apos; without a turn: %3</source>
-        <translation>« %1 » est tiré hors de « %2 » sans rotation : %3</translation>
+        <translation>«&#xa0;%1&#xa0;» est tiré hors de «&#xa0;%2&#xa0;» sans rotation&#xa0;: %3</translation>
     </message>
     <message>
         <source>their meshes state no cylinders</source>
@@ -5828,7 +5832,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>&apos;%1&apos; is the one that is cut</source>
-        <translation>c&apos;est « %1 » qui est découpé</translation>
+        <translation>c&apos;est «&#xa0;%1&#xa0;» qui est découpé</translation>
     </message>
     <message>
         <source>which of the two is cut is not clear, and no person names it</source>
@@ -5868,7 +5872,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>a pitch of %1 mm is none of a thread of %2 mm: it has to be from 0.01 mm to two diameters</source>
-        <translation>un pas de %1 mm n&apos;est pas celui d&apos;un filetage de %2 mm : il doit être compris entre 0,01 mm et deux diamètres</translation>
+        <translation>un pas de %1 mm n&apos;est pas celui d&apos;un filetage de %2 mm&#xa0;: il doit être compris entre 0,01 mm et deux diamètres</translation>
     </message>
     <message>
         <source>the hole is not around the axis that the file states for the thread</source>
@@ -5892,27 +5896,27 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>certified: %1 (required %2 mm)</source>
-        <translation>certifié : %1 (exigé : %2 mm)</translation>
+        <translation>certifié&#xa0;: %1 (exigé&#xa0;: %2 mm)</translation>
     </message>
     <message>
         <source>certified: %1 (required %2 mm, %3 of %4 edges slide)</source>
-        <translation>certifié : %1 (exigé : %2 mm, %3 segments sur %4 glissent)</translation>
+        <translation>certifié&#xa0;: %1 (exigé&#xa0;: %2 mm, %3 segments sur %4 glissent)</translation>
     </message>
     <message>
         <source>&apos;%1&apos; and &apos;%2&apos; are a thread, which comes apart by turning only</source>
-        <translation>« %1 » et « %2 » forment un filetage, qui ne se sépare que par dévissage</translation>
+        <translation>«&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» forment un filetage, qui ne se sépare que par dévissage</translation>
     </message>
     <message>
         <source>%1: &apos;%2&apos; is turned, and has to leave first</source>
-        <translation>%1 : c&apos;est « %2 » que l&apos;on tourne et qui doit sortir d&apos;abord</translation>
+        <translation>%1&#xa0;: c&apos;est «&#xa0;%2&#xa0;» que l&apos;on tourne et qui doit sortir d&apos;abord</translation>
     </message>
     <message>
         <source>%1: each turn about its axis advances by %2</source>
-        <translation>%1 : chaque tour autour de son axe fait avancer de %2</translation>
+        <translation>%1&#xa0;: chaque tour autour de son axe fait avancer de %2</translation>
     </message>
     <message>
         <source>clearance %1 to %2 mm to &apos;%3&apos;</source>
-        <translation>jeu de %1 à %2 mm par rapport à « %3 »</translation>
+        <translation>jeu de %1 à %2 mm par rapport à «&#xa0;%3&#xa0;»</translation>
     </message>
     <message>
         <source>%1, slides</source>
@@ -5920,19 +5924,19 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>valid: %1</source>
-        <translation>valide : %1</translation>
+        <translation>valide&#xa0;: %1</translation>
     </message>
     <message>
         <source>valid without shapes that the files state: %1</source>
-        <translation>valide sans certaines formes que les fichiers énoncent : %1</translation>
+        <translation>valide sans certaines formes que les fichiers énoncent&#xa0;: %1</translation>
     </message>
     <message>
         <source>invalid: %1</source>
-        <translation>non valide : %1</translation>
+        <translation>non valide&#xa0;: %1</translation>
     </message>
     <message>
         <source>undecided: %1</source>
-        <translation>indécis : %1</translation>
+        <translation>indécis&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1 configurations, %2</source>
@@ -5940,15 +5944,15 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>edge %1 meets the place &apos;%2&apos;, which a person forbids, or its margin of %3</source>
-        <translation>le segment %1 rencontre le lieu « %2 », qu&apos;une personne interdit, ou sa marge de %3</translation>
+        <translation>le segment %1 rencontre le lieu «&#xa0;%2&#xa0;», qu&apos;une personne interdit, ou sa marge de %3</translation>
     </message>
     <message>
         <source>forbidden places: the path keeps %1 from %2</source>
-        <translation>lieux interdits : le chemin reste à %1 au moins de %2</translation>
+        <translation>lieux interdits&#xa0;: le chemin reste à %1 au moins de %2</translation>
     </message>
     <message>
         <source>refused: %1</source>
-        <translation>refusé : %1</translation>
+        <translation>refusé&#xa0;: %1</translation>
     </message>
     <message>
         <source>the path does not begin at the scenario&apos;s start</source>
@@ -5960,7 +5964,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>its motion is violated on edge %1, because it is no turn in the thread it has with &apos;%2&apos;</source>
-        <translation>son mouvement est réfuté sur le segment %1, car il ne tourne pas dans le filetage commun avec « %2 »</translation>
+        <translation>son mouvement est réfuté sur le segment %1, car il ne tourne pas dans le filetage commun avec «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>its motion is violated on edge %1</source>
@@ -5968,7 +5972,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>its motion is violated on edge %1 by &apos;%2&apos;</source>
-        <translation>son mouvement est réfuté sur le segment %1 par « %2 »</translation>
+        <translation>son mouvement est réfuté sur le segment %1 par «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>its motion is undecided on edge %1</source>
@@ -5976,7 +5980,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>its motion is undecided on edge %1 by &apos;%2&apos;</source>
-        <translation>son mouvement est indécis sur le segment %1 à cause de « %2 »</translation>
+        <translation>son mouvement est indécis sur le segment %1 à cause de «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>it does not end outside of the others&apos; bounding box</source>
@@ -5984,31 +5988,31 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>step %1: allowance: %2</source>
-        <translation>étape %1 : amincissement : %2</translation>
+        <translation>étape %1&#xa0;: amincissement&#xa0;: %2</translation>
     </message>
     <message>
         <source>step %1: note: %2</source>
-        <translation>étape %1 : remarque : %2</translation>
+        <translation>étape %1&#xa0;: remarque&#xa0;: %2</translation>
     </message>
     <message>
         <source>step %1 (%2): as the plan says: %3</source>
-        <translation>étape %1 (%2) : comme le plan le dit : %3</translation>
+        <translation>étape %1 (%2)&#xa0;: comme le plan le dit&#xa0;: %3</translation>
     </message>
     <message>
         <source>step %1 (%2): only if %3</source>
-        <translation>étape %1 (%2) : seulement si %3</translation>
+        <translation>étape %1 (%2)&#xa0;: seulement si %3</translation>
     </message>
     <message>
         <source>step %1 (%2): nothing is proved of its motion, it is flexible</source>
-        <translation>étape %1 (%2) : rien n&apos;est prouvé de son mouvement, le corps est souple</translation>
+        <translation>étape %1 (%2)&#xa0;: rien n&apos;est prouvé de son mouvement, le corps est souple</translation>
     </message>
     <message>
         <source>step %1 (%2) is invalid: %3;</source>
-        <translation>l&apos;étape %1 (%2) est non valide : %3 ;</translation>
+        <translation>l&apos;étape %1 (%2) est non valide&#xa0;: %3&#xa0;;</translation>
     </message>
     <message>
         <source>step %1 (%2) is undecided: %3;</source>
-        <translation>l&apos;étape %1 (%2) est indécise : %3 ;</translation>
+        <translation>l&apos;étape %1 (%2) est indécise&#xa0;: %3&#xa0;;</translation>
     </message>
     <message>
         <source>%1 of %2 parts have no step, %3 leave alone, %4 as units, %5 in groups that are not taken apart</source>
@@ -6024,19 +6028,19 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>incomplete: %1</source>
-        <translation>incomplet : %1</translation>
+        <translation>incomplet&#xa0;: %1</translation>
     </message>
     <message>
         <source>valid only if %1: %2</source>
-        <translation>valide seulement si %1 : %2</translation>
+        <translation>valide seulement si %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>valid only under %1 conditions that the plan states itself: %2</source>
-        <translation>valide seulement sous %1 conditions que le plan pose lui-même : %2</translation>
+        <translation>valide seulement sous %1 conditions que le plan pose lui-même&#xa0;: %2</translation>
     </message>
     <message>
         <source>condition: %1</source>
-        <translation>condition : %1</translation>
+        <translation>condition&#xa0;: %1</translation>
     </message>
     <message>
         <source>Nobody but the plan says so. State the conditions in the scenario, or trust the plan (--trust-plan).</source>
@@ -6044,7 +6048,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>refused: the line of step %1: %2</source>
-        <translation>refusé : la ligne de l&apos;étape %1 : %2</translation>
+        <translation>refusé&#xa0;: la ligne de l&apos;étape %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1 steps of flexible bodies have no proof</source>
@@ -6056,7 +6060,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>&apos;%1&apos; and &apos;%2&apos;</source>
-        <translation>« %1 » et « %2 »</translation>
+        <translation>«&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>a person allows %1</source>
@@ -6076,15 +6080,15 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>&apos;%1&apos; is taken without what its screw &apos;%2&apos; fills: the file has no hole there</source>
-        <translation>« %1 » est pris sans ce que sa vis « %2 » remplit : le fichier n&apos;a pas de trou à cet endroit</translation>
+        <translation>«&#xa0;%1&#xa0;» est pris sans ce que sa vis «&#xa0;%2&#xa0;» remplit&#xa0;: le fichier n&apos;a pas de trou à cet endroit</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is taken without what overlaps &apos;%2&apos;, up to %3 deep: a clash that a person accepts</source>
-        <translation>« %1 » est pris sans ce qui pénètre dans « %2 », jusqu&apos;à %3 de profondeur : c&apos;est une collision qu&apos;une personne accepte</translation>
+        <translation>«&#xa0;%1&#xa0;» est pris sans ce qui pénètre dans «&#xa0;%2&#xa0;», jusqu&apos;à %3 de profondeur&#xa0;: c&apos;est une collision qu&apos;une personne accepte</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is taken %2 thinner against &apos;%3&apos; (%4)</source>
-        <translation>« %1 » est aminci de %2 face à « %3 » (%4)</translation>
+        <translation>«&#xa0;%1&#xa0;» est aminci de %2 face à «&#xa0;%3&#xa0;» (%4)</translation>
     </message>
     <message>
         <source>%1, at the hook that a person lets bend by %2</source>
@@ -6100,15 +6104,15 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the file takes &apos;%1&apos; without what overlaps &apos;%2&apos;, up to %3 deep</source>
-        <translation>le fichier prend « %1 » sans ce qui pénètre dans « %2 », jusqu&apos;à %3 de profondeur</translation>
+        <translation>le fichier prend «&#xa0;%1&#xa0;» sans ce qui pénètre dans «&#xa0;%2&#xa0;», jusqu&apos;à %3 de profondeur</translation>
     </message>
     <message>
         <source>the file takes &apos;%1&apos; %2 thinner against &apos;%3&apos;</source>
-        <translation>le fichier amincit « %1 » de %2 face à « %3 »</translation>
+        <translation>le fichier amincit «&#xa0;%1&#xa0;» de %2 face à «&#xa0;%3&#xa0;»</translation>
     </message>
     <message>
         <source>%1: %2. Mend the parts, or accept the clash.</source>
-        <translation>%1 : %2. Corrigez les pièces, ou acceptez la collision.</translation>
+        <translation>%1&#xa0;: %2. Corrigez les pièces, ou acceptez la collision.</translation>
     </message>
     <message>
         <source>%1, and the judge finds reason for nothing</source>
@@ -6124,7 +6128,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>&apos;%1&apos; is neither true nor false</source>
-        <translation>« %1 » n&apos;est ni vrai ni faux</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est ni vrai ni faux</translation>
     </message>
     <message>
         <source>Give true or false.</source>
@@ -6132,15 +6136,15 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>&apos;%1&apos; is not a whole number</source>
-        <translation>« %1 » n&apos;est pas un nombre entier</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas un nombre entier</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is %2, which is out of range</source>
-        <translation>« %1 » vaut %2, ce qui est hors limites</translation>
+        <translation>«&#xa0;%1&#xa0;» vaut %2, ce qui est hors limites</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a text</source>
-        <translation>« %1 » n&apos;est pas un texte</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas un texte</translation>
     </message>
     <message>
         <source>Give a text.</source>
@@ -6148,11 +6152,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>&apos;%1&apos; is not one of its choices</source>
-        <translation>« %1 » n&apos;est pas l&apos;un de ses choix</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas l&apos;un de ses choix</translation>
     </message>
     <message>
         <source>Give one of %1.</source>
-        <translation>Donnez l&apos;une de ces valeurs : %1.</translation>
+        <translation>Donnez l&apos;une de ces valeurs&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Mobility</source>
@@ -6160,7 +6164,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Static bodies shape the places; mobile ones clutter them.</source>
-        <translation>Les corps statiques délimitent les lieux ; les corps mobiles les encombrent.</translation>
+        <translation>Les corps statiques délimitent les lieux&#xa0;; les corps mobiles les encombrent.</translation>
     </message>
     <message>
         <source>Needs tool</source>
@@ -6168,7 +6172,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Which tool turns the body: by_shape, none, or one of the tools.</source>
-        <translation>Outil qui fait tourner le corps : by_shape, none, ou l&apos;un des outils.</translation>
+        <translation>Outil qui fait tourner le corps&#xa0;: by_shape, none, ou l&apos;un des outils.</translation>
     </message>
     <message>
         <source>Complexity</source>
@@ -6176,7 +6180,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>How hard the place is to cross: 1 for the widest, one more each time the width halves.</source>
-        <translation>Difficulté de traversée du lieu : 1 pour les plus larges, un de plus à chaque division de la largeur par deux.</translation>
+        <translation>Difficulté de traversée du lieu&#xa0;: 1 pour les plus larges, un de plus à chaque division de la largeur par deux.</translation>
     </message>
     <message>
         <source>Cluttered</source>
@@ -6208,7 +6212,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Whether the object goes through: 0 not at all, from 0.5 on it fits, 1 with ease.</source>
-        <translation>Aptitude de l&apos;objet à passer : 0, il ne passe pas ; à partir de 0,5, il passe ; 1, il passe aisément.</translation>
+        <translation>Aptitude de l&apos;objet à passer&#xa0;: 0, il ne passe pas&#xa0;; à partir de 0,5, il passe&#xa0;; 1, il passe aisément.</translation>
     </message>
     <message>
         <source>Forbidden</source>
@@ -6236,7 +6240,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Class of the body, whose attributes it has: screw, seal, base_part.</source>
-        <translation>Classe du corps, dont il reprend les attributs : screw, seal, base_part.</translation>
+        <translation>Classe du corps, dont il reprend les attributs&#xa0;: screw, seal, base_part.</translation>
     </message>
     <message>
         <source>Mass</source>
@@ -6244,7 +6248,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Mass of the body. 0: by its volume and density.</source>
-        <translation>Masse du corps. 0 : d&apos;après son volume et sa masse volumique.</translation>
+        <translation>Masse du corps. 0&#xa0;: d&apos;après son volume et sa masse volumique.</translation>
     </message>
     <message>
         <source>Fragile</source>
@@ -6260,7 +6264,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>The assembly begins with the body: it does not leave.</source>
-        <translation>L&apos;assemblage commence par ce corps : il ne sort pas.</translation>
+        <translation>L&apos;assemblage commence par ce corps&#xa0;: il ne sort pas.</translation>
     </message>
     <message>
         <source>Stays</source>
@@ -6288,19 +6292,19 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the attribute name &apos;%1&apos; is not a word</source>
-        <translation>le nom d&apos;attribut « %1 » n&apos;est pas un mot</translation>
+        <translation>le nom d&apos;attribut «&#xa0;%1&#xa0;» n&apos;est pas un mot</translation>
     </message>
     <message>
         <source>Use lower-case letters, digits and &apos;_&apos;, a letter first.</source>
-        <translation>Utilisez des minuscules, des chiffres et « _ », en commençant par une lettre.</translation>
+        <translation>Utilisez des minuscules, des chiffres et «&#xa0;_&#xa0;», en commençant par une lettre.</translation>
     </message>
     <message>
         <source>there is an attribute &apos;%1&apos; already</source>
-        <translation>il y a déjà un attribut « %1 »</translation>
+        <translation>il y a déjà un attribut «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>the attribute &apos;%1&apos; has no choices</source>
-        <translation>l&apos;attribut « %1 » n&apos;a pas de choix</translation>
+        <translation>l&apos;attribut «&#xa0;%1&#xa0;» n&apos;a pas de choix</translation>
     </message>
     <message>
         <source>Give at least one.</source>
@@ -6308,7 +6312,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the attribute &apos;%1&apos; has a choice without a name</source>
-        <translation>l&apos;attribut « %1 » a un choix sans nom</translation>
+        <translation>l&apos;attribut «&#xa0;%1&#xa0;» a un choix sans nom</translation>
     </message>
     <message>
         <source>Remove it.</source>
@@ -6316,11 +6320,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the attribute &apos;%1&apos; has the choice &apos;%2&apos; twice</source>
-        <translation>l&apos;attribut « %1 » a deux fois le choix « %2 »</translation>
+        <translation>l&apos;attribut «&#xa0;%1&#xa0;» a deux fois le choix «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>the attribute &apos;%1&apos; has a minimum above its maximum</source>
-        <translation>l&apos;attribut « %1 » a un minimum supérieur à son maximum</translation>
+        <translation>l&apos;attribut «&#xa0;%1&#xa0;» a un minimum supérieur à son maximum</translation>
     </message>
     <message>
         <source>Swap them.</source>
@@ -6328,15 +6332,15 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the parents of the class &apos;%1&apos; form a cycle</source>
-        <translation>les classes mères de la classe « %1 » forment un cycle</translation>
+        <translation>les classes mères de la classe «&#xa0;%1&#xa0;» forment un cycle</translation>
     </message>
     <message>
         <source>Correct &apos;of&apos;.</source>
-        <translation>Corrigez « of ».</translation>
+        <translation>Corrigez «&#xa0;of&#xa0;».</translation>
     </message>
     <message>
         <source>the class &apos;%1&apos; is of &apos;%2&apos;, which is not a class</source>
-        <translation>la classe « %1 » est de « %2 », qui n&apos;est pas une classe</translation>
+        <translation>la classe «&#xa0;%1&#xa0;» est de «&#xa0;%2&#xa0;», qui n&apos;est pas une classe</translation>
     </message>
     <message>
         <source>edits the same place as /places/%1</source>
@@ -6344,35 +6348,35 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Merge the two edits: where they differ, the later one applies.</source>
-        <translation>Réunissez les deux modifications : là où elles diffèrent, la seconde s&apos;applique.</translation>
+        <translation>Réunissez les deux modifications&#xa0;: là où elles diffèrent, la seconde s&apos;applique.</translation>
     </message>
     <message>
         <source>has the name &apos;%1&apos;, which another place has already</source>
-        <translation>porte le nom « %1 », qu&apos;un autre lieu porte déjà</translation>
+        <translation>porte le nom «&#xa0;%1&#xa0;», qu&apos;un autre lieu porte déjà</translation>
     </message>
     <message>
         <source>lies in no place and near none, so the edit has no effect</source>
-        <translation>n&apos;est dans aucun lieu ni près d&apos;aucun : la modification n&apos;a pas d&apos;effet</translation>
+        <translation>n&apos;est dans aucun lieu ni près d&apos;aucun&#xa0;: la modification n&apos;a pas d&apos;effet</translation>
     </message>
     <message>
         <source>Move its &quot;at&quot; into the place that it is about.</source>
-        <translation>Déplacez son « at » dans le lieu concerné.</translation>
+        <translation>Déplacez son «&#xa0;at&#xa0;» dans le lieu concerné.</translation>
     </message>
     <message>
         <source>lies in no place; the edit applies to the nearest place, %1</source>
-        <translation>n&apos;est dans aucun lieu ; la modification s&apos;applique au lieu le plus proche, %1</translation>
+        <translation>n&apos;est dans aucun lieu&#xa0;; la modification s&apos;applique au lieu le plus proche, %1</translation>
     </message>
     <message>
         <source>Edit that place once more, or move its &quot;at&quot; into the place that it is about.</source>
-        <translation>Modifiez de nouveau ce lieu, ou déplacez son « at » dans le lieu concerné.</translation>
+        <translation>Modifiez de nouveau ce lieu, ou déplacez son «&#xa0;at&#xa0;» dans le lieu concerné.</translation>
     </message>
     <message>
         <source>lies in no border of two places and near none, so the edit has no effect</source>
-        <translation>n&apos;est sur aucune frontière de deux lieux ni près d&apos;aucune : la modification n&apos;a pas d&apos;effet</translation>
+        <translation>n&apos;est sur aucune frontière de deux lieux ni près d&apos;aucune&#xa0;: la modification n&apos;a pas d&apos;effet</translation>
     </message>
     <message>
         <source>Move its &quot;at&quot; to where the two places meet.</source>
-        <translation>Déplacez son « at » là où les deux lieux se touchent.</translation>
+        <translation>Déplacez son «&#xa0;at&#xa0;» là où les deux lieux se touchent.</translation>
     </message>
     <message>
         <source>is flat</source>
@@ -6404,7 +6408,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>names no way to find places: &apos;%1&apos;</source>
-        <translation>ne nomme aucune méthode de recherche des lieux : « %1 »</translation>
+        <translation>ne nomme aucune méthode de recherche des lieux&#xa0;: «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>the environment model was not finished</source>
@@ -6412,7 +6416,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>forbids a place that is not there: its point lies in no place and near none</source>
-        <translation>interdit un lieu qui n&apos;existe pas : son point n&apos;est dans aucun lieu ni près d&apos;aucun</translation>
+        <translation>interdit un lieu qui n&apos;existe pas&#xa0;: son point n&apos;est dans aucun lieu ni près d&apos;aucun</translation>
     </message>
     <message>
         <source>Forbid the place where it is now, or remove this edit.</source>
@@ -6492,7 +6496,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>cannot be read as %1: %2</source>
-        <translation>ne peut pas être lu comme %1 : %2</translation>
+        <translation>ne peut pas être lu comme %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>names</source>
@@ -6500,11 +6504,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>are read as %1: &apos;%2&apos;</source>
-        <translation>sont lus comme %1 : « %2 »</translation>
+        <translation>sont lus comme %1&#xa0;: «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>are in an encoding that cannot be told, and are read as %1: &apos;%2&apos;</source>
-        <translation>sont dans un codage impossible à déterminer, et sont lus comme %1 : « %2 »</translation>
+        <translation>sont dans un codage impossible à déterminer, et sont lus comme %1&#xa0;: «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>it is empty or too large</source>
@@ -6540,7 +6544,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>is too large: it has %1, and at most %2 are read with the memory of this machine</source>
-        <translation>est trop grand : il a %1, et au plus %2 sont lus avec la mémoire de cette machine</translation>
+        <translation>est trop grand&#xa0;: il a %1, et au plus %2 sont lus avec la mémoire de cette machine</translation>
     </message>
     <message>
         <source>Export fewer triangles, split the file, or use a machine with more free memory.</source>
@@ -6580,15 +6584,15 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>has no whole number &apos;%1&apos;</source>
-        <translation>n&apos;a pas de nombre entier « %1 »</translation>
+        <translation>n&apos;a pas de nombre entier «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>is not a glTF file: its JSON is malformed or cut off</source>
-        <translation>n&apos;est pas un fichier glTF : son JSON est mal formé ou tronqué</translation>
+        <translation>n&apos;est pas un fichier glTF&#xa0;: son JSON est mal formé ou tronqué</translation>
     </message>
     <message>
         <source>is of version %1; only 2 is read</source>
-        <translation>est de la version %1 ; seule la version 2 est lue</translation>
+        <translation>est de la version %1&#xa0;; seule la version 2 est lue</translation>
     </message>
     <message>
         <source>claims a length of %1 bytes but is only %2 bytes long</source>
@@ -6596,7 +6600,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>has a &apos;uri&apos; that is not a text</source>
-        <translation>a un « uri » qui n&apos;est pas un texte</translation>
+        <translation>a un «&#xa0;uri&#xa0;» qui n&apos;est pas un texte</translation>
     </message>
     <message>
         <source>keeps its data in a file of its own (%1)</source>
@@ -6648,7 +6652,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>has a &apos;%1&apos; that is not %2 numbers</source>
-        <translation>a un « %1 » qui n&apos;est pas fait de %2 nombres</translation>
+        <translation>a un «&#xa0;%1&#xa0;» qui n&apos;est pas fait de %2 nombres</translation>
     </message>
     <message>
         <source>has a rotation of length zero</source>
@@ -6668,11 +6672,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>has instances by the extension &apos;EXT_mesh_gpu_instancing&apos;, which is not read</source>
-        <translation>a des instances par l&apos;extension « EXT_mesh_gpu_instancing », qui n&apos;est pas lue</translation>
+        <translation>a des instances par l&apos;extension «&#xa0;EXT_mesh_gpu_instancing&#xa0;», qui n&apos;est pas lue</translation>
     </message>
     <message>
         <source>%1: has a skin, which is not applied</source>
-        <translation>%1 : a une peau (« skin »), qui n&apos;est pas appliquée</translation>
+        <translation>%1&#xa0;: a une peau («&#xa0;skin&#xa0;»), qui n&apos;est pas appliquée</translation>
     </message>
     <message>
         <source>has no primitives</source>
@@ -6684,7 +6688,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>%1: has morph targets, which are not applied</source>
-        <translation>%1 : a des cibles de morphage, qui ne sont pas appliquées</translation>
+        <translation>%1&#xa0;: a des cibles de morphage, qui ne sont pas appliquées</translation>
     </message>
     <message>
         <source>has a position that is not a finite number</source>
@@ -6700,7 +6704,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>line %1: the last line has no end; the file may be cut off</source>
-        <translation>ligne %1 : la dernière ligne n&apos;a pas de fin ; le fichier est peut-être tronqué</translation>
+        <translation>ligne %1&#xa0;: la dernière ligne n&apos;a pas de fin&#xa0;; le fichier est peut-être tronqué</translation>
     </message>
     <message>
         <source>has a free-form curve or surface (%1), which is not read</source>
@@ -6780,7 +6784,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>does not begin with &apos;ply&apos;</source>
-        <translation>ne commence pas par « ply »</translation>
+        <translation>ne commence pas par «&#xa0;ply&#xa0;»</translation>
     </message>
     <message>
         <source>has a property before any element</source>
@@ -6788,7 +6792,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>does not say its format before &apos;end_header&apos;</source>
-        <translation>n&apos;indique pas son format avant « end_header »</translation>
+        <translation>n&apos;indique pas son format avant «&#xa0;end_header&#xa0;»</translation>
     </message>
     <message>
         <source>ends after its header</source>
@@ -6800,7 +6804,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>ends before &apos;end_header&apos;</source>
-        <translation>finit avant « end_header »</translation>
+        <translation>finit avant «&#xa0;end_header&#xa0;»</translation>
     </message>
     <message>
         <source>the number</source>
@@ -6836,7 +6840,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>has faces without a list &apos;vertex_indices&apos;</source>
-        <translation>a des faces sans liste « vertex_indices »</translation>
+        <translation>a des faces sans liste «&#xa0;vertex_indices&#xa0;»</translation>
     </message>
     <message>
         <source>has a face with vertex %1, but the file has %2</source>
@@ -6852,11 +6856,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>ends before &apos;endsolid&apos;</source>
-        <translation>finit avant « endsolid »</translation>
+        <translation>finit avant «&#xa0;endsolid&#xa0;»</translation>
     </message>
     <message>
         <source>has %1 where &apos;%2&apos; is expected</source>
-        <translation>a %1 là où « %2 » est attendu</translation>
+        <translation>a %1 là où «&#xa0;%2&#xa0;» est attendu</translation>
     </message>
     <message>
         <source>is too short for an STL file</source>
@@ -6892,7 +6896,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>They have no area, so that no surface is missing.</source>
-        <translation>Leur aire est nulle : il ne manque aucune surface.</translation>
+        <translation>Leur aire est nulle&#xa0;: il ne manque aucune surface.</translation>
     </message>
     <message>
         <source>was closed along %1 edges on which vertices of neighbouring faces lie (T-junctions)</source>
@@ -6904,11 +6908,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>had %1 planar holes, which were closed as asked for; %2 holes are left open</source>
-        <translation>avait %1 trous plans, fermés comme demandé ; %2 trous restent ouverts</translation>
+        <translation>avait %1 trous plans, fermés comme demandé&#xa0;; %2 trous restent ouverts</translation>
     </message>
     <message>
         <source>Look at them: what is behind a closed hole is solid.</source>
-        <translation>Vérifiez-les : ce qui est derrière un trou fermé est plein.</translation>
+        <translation>Vérifiez-les&#xa0;: ce qui est derrière un trou fermé est plein.</translation>
     </message>
     <message>
         <source>has changed since the scenario was saved</source>
@@ -6928,7 +6932,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>asset &apos;%1&apos;</source>
-        <translation>asset « %1 »</translation>
+        <translation>asset «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>has a unit or an up-axis, but a %1 file says itself what its numbers mean, and is z up</source>
@@ -6936,15 +6940,15 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Leave out &apos;unit&apos; and &apos;up_axis&apos;.</source>
-        <translation>Omettez « unit » et « up_axis ».</translation>
+        <translation>Omettez «&#xa0;unit&#xa0;» et «&#xa0;up_axis&#xa0;».</translation>
     </message>
     <message>
         <source>is not closed: faces or boundaries that could not be made: %1; proofs take what is missing as free space</source>
-        <translation>n&apos;est pas fermé : %1 faces ou contours n&apos;ont pas pu être construits ; les preuves prennent ce qui manque pour de l&apos;espace libre</translation>
+        <translation>n&apos;est pas fermé&#xa0;: %1 faces ou contours n&apos;ont pas pu être construits&#xa0;; les preuves prennent ce qui manque pour de l&apos;espace libre</translation>
     </message>
     <message>
         <source>Do not trust paths near it; export it again, or as a mesh.</source>
-        <translation>Ne vous fiez pas aux chemins qui passent près d&apos;elle ; exportez-la de nouveau, ou en maillage.</translation>
+        <translation>Ne vous fiez pas aux chemins qui passent près d&apos;elle&#xa0;; exportez-la de nouveau, ou en maillage.</translation>
     </message>
     <message>
         <source>the scenario neither names it nor leaves it out</source>
@@ -6964,11 +6968,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>it ends before its terminate section (T): it is cut off</source>
-        <translation>il finit avant sa section de fin (T) : il est tronqué</translation>
+        <translation>il finit avant sa section de fin (T)&#xa0;: il est tronqué</translation>
     </message>
     <message>
         <source>column 73 of its first line is not S: it is no text of 80 columns</source>
-        <translation>la colonne 73 de sa première ligne n&apos;est pas S : ce n&apos;est pas un texte de 80 colonnes</translation>
+        <translation>la colonne 73 de sa première ligne n&apos;est pas S&#xa0;: ce n&apos;est pas un texte de 80 colonnes</translation>
     </message>
     <message>
         <source>its line %1 is of no section, or of another one than the lines around it</source>
@@ -6976,19 +6980,19 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>its line %1 is not numbered as it should be (%2): lines are missing, or damaged</source>
-        <translation>sa ligne %1 n&apos;a pas le numéro attendu (%2) : des lignes manquent ou sont abîmées</translation>
+        <translation>sa ligne %1 n&apos;a pas le numéro attendu (%2)&#xa0;: des lignes manquent ou sont abîmées</translation>
     </message>
     <message>
         <source>it has %1 lines in its section %2, and states %3: lines are missing</source>
-        <translation>il a %1 lignes dans sa section %2 et en annonce %3 : des lignes manquent</translation>
+        <translation>il a %1 lignes dans sa section %2 et en annonce %3&#xa0;: des lignes manquent</translation>
     </message>
     <message>
         <source>%1 bytes</source>
-        <translation>%1 octets</translation>
+        <translation>%1&#xa0;octets</translation>
     </message>
     <message>
         <source>%1 MiB</source>
-        <translation>%1 Mio</translation>
+        <translation>%1&#xa0;Mio</translation>
     </message>
     <message>
         <source>Read it again.</source>
@@ -6996,15 +7000,15 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>takes too long to read: it is too complex or malformed</source>
-        <translation>est trop long à lire : il est trop complexe ou mal formé</translation>
+        <translation>est trop long à lire&#xa0;: il est trop complexe ou mal formé</translation>
     </message>
     <message>
         <source>was not read: the library that reads this format crashed on it</source>
-        <translation>n&apos;a pas été lu : la bibliothèque qui lit ce format s&apos;est arrêtée brutalement</translation>
+        <translation>n&apos;a pas été lu&#xa0;: la bibliothèque qui lit ce format s&apos;est arrêtée brutalement</translation>
     </message>
     <message>
         <source>was not read: the library that reads this format crashed on it (%1)</source>
-        <translation>n&apos;a pas été lu : la bibliothèque qui lit ce format s&apos;est arrêtée brutalement (%1)</translation>
+        <translation>n&apos;a pas été lu&#xa0;: la bibliothèque qui lit ce format s&apos;est arrêtée brutalement (%1)</translation>
     </message>
     <message>
         <source>the importer failed on it</source>
@@ -7012,15 +7016,15 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>was not read: the importing process cannot give up its rights (%1)</source>
-        <translation>n&apos;a pas été lu : le processus d&apos;import ne peut pas abandonner ses droits (%1)</translation>
+        <translation>n&apos;a pas été lu&#xa0;: le processus d&apos;import ne peut pas abandonner ses droits (%1)</translation>
     </message>
     <message>
         <source>Files are read only where the kernel permits seccomp filters: use another machine or container.</source>
-        <translation>Les fichiers ne sont lus que si le noyau permet les filtres seccomp : utilisez une autre machine ou un autre conteneur.</translation>
+        <translation>Les fichiers ne sont lus que si le noyau permet les filtres seccomp&#xa0;: utilisez une autre machine ou un autre conteneur.</translation>
     </message>
     <message>
         <source>holds %1 vertices and %2 triangles; at most %3 of each are read</source>
-        <translation>contient %1 sommets et %2 triangles ; au plus %3 de chaque sont lus</translation>
+        <translation>contient %1 sommets et %2 triangles&#xa0;; au plus %3 de chaque sont lus</translation>
     </message>
     <message>
         <source>has a vertex whose coordinates are not finite, or too large</source>
@@ -7028,7 +7032,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>does not fit the content: the file was edited outside of Glissade, or it is damaged</source>
-        <translation>ne correspond pas au contenu : le fichier a été modifié hors de Glissade, ou il est endommagé</translation>
+        <translation>ne correspond pas au contenu&#xa0;: le fichier a été modifié hors de Glissade, ou il est endommagé</translation>
     </message>
     <message>
         <source>its groups are nested too deeply</source>
@@ -7060,15 +7064,15 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>is of a kind that is not read (&apos;%1&apos;)</source>
-        <translation>est d&apos;un type qui n&apos;est pas lu (« %1 »)</translation>
+        <translation>est d&apos;un type qui n&apos;est pas lu («&#xa0;%1 »)</translation>
     </message>
     <message>
         <source>Use STL, OBJ, PLY, DAE, glTF or GLB; &quot;step&quot; and &quot;urdf&quot; are shapes of their own in a scenario.</source>
-        <translation>Utilisez STL, OBJ, PLY, DAE, glTF ou GLB ; dans un scénario, « step » et « urdf » sont des formes à part.</translation>
+        <translation>Utilisez STL, OBJ, PLY, DAE, glTF ou GLB&#xa0;; dans un scénario, «&#xa0;step&#xa0;» et «&#xa0;urdf&#xa0;» sont des formes à part.</translation>
     </message>
     <message>
         <source>Buffers in files of their own are not read: export it as one .glb file.</source>
-        <translation>Les tampons dans des fichiers séparés ne sont pas lus : exportez-le en un seul fichier .glb.</translation>
+        <translation>Les tampons dans des fichiers séparés ne sont pas lus&#xa0;: exportez-le en un seul fichier .glb.</translation>
     </message>
     <message>
         <source>it holds neither a solid nor a face</source>
@@ -7076,7 +7080,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>it holds neither a solid nor a face: %1 %2: %3</source>
-        <translation>il ne contient ni solide ni face : %1 %2 : %3</translation>
+        <translation>il ne contient ni solide ni face&#xa0;: %1 %2&#xa0;: %3</translation>
     </message>
     <message>
         <source>Correct the OMPL.app problem file.</source>
@@ -7084,11 +7088,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>is not &apos;key = value&apos;</source>
-        <translation>n&apos;est pas de la forme « clé = valeur »</translation>
+        <translation>n&apos;est pas de la forme «&#xa0;clé = valeur&#xa0;»</translation>
     </message>
     <message>
         <source>gives &apos;%1&apos; a second time</source>
-        <translation>donne « %1 » une seconde fois</translation>
+        <translation>donne «&#xa0;%1&#xa0;» une seconde fois</translation>
     </message>
     <message>
         <source>is missing or empty</source>
@@ -7104,15 +7108,15 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>names &apos;%1&apos;, which is no part of several solids</source>
-        <translation>nomme « %1 », qui n&apos;est pas une pièce de plusieurs solides</translation>
+        <translation>nomme «&#xa0;%1&#xa0;», qui n&apos;est pas une pièce de plusieurs solides</translation>
     </message>
     <message>
         <source>See &apos;glissade-cli info&apos; for the names.</source>
-        <translation>Les noms sont donnés par « glissade-cli info ».</translation>
+        <translation>Les noms sont donnés par «&#xa0;glissade-cli info&#xa0;».</translation>
     </message>
     <message>
         <source>the file name &apos;%1&apos; leaves the folder</source>
-        <translation>le nom de fichier « %1 » sort du dossier</translation>
+        <translation>le nom de fichier «&#xa0;%1&#xa0;» sort du dossier</translation>
     </message>
     <message>
         <source>Put the file beside the scenario or below it and name it relative to it.</source>
@@ -7124,7 +7128,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>The deviation counts in every certificate; export the part as a mesh if it is too much.</source>
-        <translation>L&apos;écart compte dans chaque certificat ; exportez la pièce en maillage s&apos;il est trop grand.</translation>
+        <translation>L&apos;écart compte dans chaque certificat&#xa0;; exportez la pièce en maillage s&apos;il est trop grand.</translation>
     </message>
     <message>
         <source>It is an obstacle that can be inside of others. Export it as a solid, or leave it out (--without).</source>
@@ -7148,7 +7152,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>%1: the part is not closed there; proofs take what is missing as free space</source>
-        <translation>%1 : la pièce n&apos;y est pas fermée ; les preuves prennent ce qui manque pour de l&apos;espace libre</translation>
+        <translation>%1&#xa0;: la pièce n&apos;y est pas fermée&#xa0;; les preuves prennent ce qui manque pour de l&apos;espace libre</translation>
     </message>
     <message>
         <source>has a part that is at no place in space</source>
@@ -7164,7 +7168,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>&apos;%1&apos; is mirrored or scaled by its assembly and is in another file</source>
-        <translation>« %1 » est symétrisée ou mise à l&apos;échelle par son assemblage et se trouve dans un autre fichier</translation>
+        <translation>«&#xa0;%1&#xa0;» est symétrisée ou mise à l&apos;échelle par son assemblage et se trouve dans un autre fichier</translation>
     </message>
     <message>
         <source>%1 more could not be made</source>
@@ -7204,7 +7208,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>names &apos;%1&apos; for a part, which holds this file itself</source>
-        <translation>nomme pour une pièce le fichier « %1 », qui contient le présent fichier</translation>
+        <translation>nomme pour une pièce le fichier «&#xa0;%1&#xa0;», qui contient le présent fichier</translation>
     </message>
     <message>
         <source>names more than %1 files</source>
@@ -7224,11 +7228,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>part &apos;%1&apos;</source>
-        <translation>pièce « %1 »</translation>
+        <translation>pièce «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>nothing is known of where %1 is, and proofs are about the product without it: %2</source>
-        <translation>on ne sait pas où est %1, et les preuves portent sur le produit sans lui : %2</translation>
+        <translation>on ne sait pas où est %1, et les preuves portent sur le produit sans lui&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1 more files of its parts are missing</source>
@@ -7240,11 +7244,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>is missing, and proofs take it as free space: its file &apos;%1&apos; %2 (looked for in &apos;%3&apos;)</source>
-        <translation>manque, et les preuves la prennent pour de l&apos;espace libre : son fichier « %1 » %2 (cherché dans « %3 »)</translation>
+        <translation>manque, et les preuves la prennent pour de l&apos;espace libre&#xa0;: son fichier «&#xa0;%1&#xa0;» %2 (cherché dans «&#xa0;%3&#xa0;»)</translation>
     </message>
     <message>
         <source>has its parts in other files, and none of them is there: %1 (looked for in &apos;%2&apos;)</source>
-        <translation>a ses pièces dans d&apos;autres fichiers, dont aucun n&apos;existe : %1 (cherchés dans « %2 »)</translation>
+        <translation>a ses pièces dans d&apos;autres fichiers, dont aucun n&apos;existe&#xa0;: %1 (cherchés dans «&#xa0;%2 »)</translation>
     </message>
     <message>
         <source>Export the product as one file.</source>
@@ -7296,7 +7300,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>face %1 (%2) of &apos;%3&apos;</source>
-        <translation>face %1 (%2) de « %3 »</translation>
+        <translation>face %1 (%2) de «&#xa0;%3&#xa0;»</translation>
     </message>
     <message>
         <source>OpenCASCADE makes no triangles for it</source>
@@ -7312,11 +7316,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>%1; it was triangulated from its boundaries, within %2 mm of its surface</source>
-        <translation>%1 ; elle a été triangulée à partir de ses contours, à %2 mm de sa surface au plus</translation>
+        <translation>%1&#xa0;; elle a été triangulée à partir de ses contours, à %2&#xa0;mm de sa surface au plus</translation>
     </message>
     <message>
         <source>%1, because its boundaries cross; it was triangulated between their points, within %2 mm of its surface</source>
-        <translation>%1, parce que ses contours se croisent ; elle a été triangulée entre leurs points, à %2 mm de sa surface au plus</translation>
+        <translation>%1, parce que ses contours se croisent&#xa0;; elle a été triangulée entre leurs points, à %2&#xa0;mm de sa surface au plus</translation>
     </message>
     <message>
         <source>%1, and its boundaries cannot be triangulated</source>
@@ -7324,7 +7328,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>its triangles enclose %1 cubic millimetres, and its faces %2: they differ by more than the deviation of the triangles explains</source>
-        <translation>ses triangles enferment %1 millimètres cubes, et ses faces %2 : la différence dépasse ce que l&apos;écart des triangles explique</translation>
+        <translation>ses triangles enferment %1 millimètres cubes, et ses faces %2&#xa0;: la différence dépasse ce que l&apos;écart des triangles explique</translation>
     </message>
     <message>
         <source>is not a STEP file (it does not begin with ISO-10303-21)</source>
@@ -7344,15 +7348,15 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>ends before END-ISO-10303-21: it is cut off</source>
-        <translation>finit avant END-ISO-10303-21 : il est tronqué</translation>
+        <translation>finit avant END-ISO-10303-21&#xa0;: il est tronqué</translation>
     </message>
     <message>
         <source>is a binary BREP file, which is not read: write it as text</source>
-        <translation>est un fichier BREP binaire, qui n&apos;est pas lu : écrivez-le en texte</translation>
+        <translation>est un fichier BREP binaire, qui n&apos;est pas lu&#xa0;: écrivez-le en texte</translation>
     </message>
     <message>
         <source>is not a BREP file (it does not begin with &apos;CASCADE Topology V&apos;)</source>
-        <translation>n&apos;est pas un fichier BREP (il ne commence pas par « CASCADE Topology V »)</translation>
+        <translation>n&apos;est pas un fichier BREP (il ne commence pas par «&#xa0;CASCADE Topology V&#xa0;»)</translation>
     </message>
     <message>
         <source>Export it again as STEP AP214 or AP242, or its parts as meshes.</source>
@@ -7380,15 +7384,15 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>%1 mirrors a part in a way that cannot be read: write it as a part of its own</source>
-        <translation>%1 symétrise une pièce d&apos;une façon qui ne peut pas être lue : écrivez-la comme une pièce à part</translation>
+        <translation>%1 symétrise une pièce d&apos;une façon qui ne peut pas être lue&#xa0;: écrivez-la comme une pièce à part</translation>
     </message>
     <message>
         <source>%1 scales a part in a way that cannot be read: write it as a part of its own</source>
-        <translation>%1 met une pièce à l&apos;échelle d&apos;une façon qui ne peut pas être lue : écrivez-la comme une pièce à part</translation>
+        <translation>%1 met une pièce à l&apos;échelle d&apos;une façon qui ne peut pas être lue&#xa0;: écrivez-la comme une pièce à part</translation>
     </message>
     <message>
         <source>%1 places a part in a way that cannot be read: write it as a part of its own</source>
-        <translation>%1 place une pièce d&apos;une façon qui ne peut pas être lue : écrivez-la comme une pièce à part</translation>
+        <translation>%1 place une pièce d&apos;une façon qui ne peut pas être lue&#xa0;: écrivez-la comme une pièce à part</translation>
     </message>
     <message>
         <source>%1 places a part that could not be made</source>
@@ -7396,7 +7400,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>&apos;%1&apos; is distorted by its assembly</source>
-        <translation>« %1 » est déformée par son assemblage</translation>
+        <translation>«&#xa0;%1&#xa0;» est déformée par son assemblage</translation>
     </message>
     <message>
         <source>a mirrored or scaled part was not found in its assembly</source>
@@ -7416,7 +7420,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>its triangles cannot be read: %1</source>
-        <translation>ses triangles ne peuvent pas être lus : %1</translation>
+        <translation>ses triangles ne peuvent pas être lus&#xa0;: %1</translation>
     </message>
     <message>
         <source>it was made in %1 of its %2 places</source>
@@ -7448,7 +7452,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Give the whole name: %1.</source>
-        <translation>Donnez le nom entier : %1.</translation>
+        <translation>Donnez le nom entier&#xa0;: %1.</translation>
     </message>
     <message>
         <source>is not in the file</source>
@@ -7456,11 +7460,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>The file holds one part: leave out the name.</source>
-        <translation>Le fichier contient une seule pièce : omettez le nom.</translation>
+        <translation>Le fichier contient une seule pièce&#xa0;: omettez le nom.</translation>
     </message>
     <message>
         <source>It holds: %1.</source>
-        <translation>Il contient : %1.</translation>
+        <translation>Il contient&#xa0;: %1.</translation>
     </message>
     <message>
         <source>#%1 is there twice</source>
@@ -7480,15 +7484,15 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>is no solid: its faces (%1) bound nothing, %2 of their edges are open</source>
-        <translation>n&apos;est pas un solide : ses faces (%1) ne délimitent rien, %2 de leurs arêtes sont ouvertes</translation>
+        <translation>n&apos;est pas un solide&#xa0;: ses faces (%1) ne délimitent rien, %2 de leurs arêtes sont ouvertes</translation>
     </message>
     <message>
         <source>has no thickness: its faces enclose no volume</source>
-        <translation>n&apos;a pas d&apos;épaisseur : ses faces n&apos;enferment aucun volume</translation>
+        <translation>n&apos;a pas d&apos;épaisseur&#xa0;: ses faces n&apos;enferment aucun volume</translation>
     </message>
     <message>
         <source>has curves that lie on no face (%1): they are left out</source>
-        <translation>a des courbes qui ne sont sur aucune face (%1) : elles sont ignorées</translation>
+        <translation>a des courbes qui ne sont sur aucune face (%1)&#xa0;: elles sont ignorées</translation>
     </message>
     <message>
         <source>a list of its numbers holds something else</source>
@@ -7552,7 +7556,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>&apos;%1&apos; is not a value</source>
-        <translation>« %1 » n&apos;est pas une valeur</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas une valeur</translation>
     </message>
     <message>
         <source>a number has %1 characters</source>
@@ -7560,11 +7564,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>&apos;%1&apos; is not a finite number</source>
-        <translation>« %1 » n&apos;est pas un nombre fini</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas un nombre fini</translation>
     </message>
     <message>
         <source>line %1: %2</source>
-        <translation>ligne %1 : %2</translation>
+        <translation>ligne %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>validation property %1</source>
@@ -7572,19 +7576,19 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>its triangles enclose %1 cubic millimetres, and the file states %2: they differ by more than the deviation of the triangles explains</source>
-        <translation>ses triangles enferment %1 millimètres cubes, et le fichier indique %2 : la différence dépasse ce que l&apos;écart des triangles explique</translation>
+        <translation>ses triangles enferment %1 millimètres cubes, et le fichier indique %2&#xa0;: la différence dépasse ce que l&apos;écart des triangles explique</translation>
     </message>
     <message>
         <source>its triangles have %1 square millimetres, and the file states %2: they differ by more than the deviation of the triangles explains</source>
-        <translation>ses triangles couvrent %1 millimètres carrés, et le fichier indique %2 : la différence dépasse ce que l&apos;écart des triangles explique</translation>
+        <translation>ses triangles couvrent %1 millimètres carrés, et le fichier indique %2&#xa0;: la différence dépasse ce que l&apos;écart des triangles explique</translation>
     </message>
     <message>
         <source>the centroid of its triangles is %1 mm from the one that the file states: more than the deviation of the triangles explains</source>
-        <translation>le centre de gravité de ses triangles est à %1 mm de celui que le fichier indique : plus que ce que l&apos;écart des triangles explique</translation>
+        <translation>le centre de gravité de ses triangles est à %1&#xa0;mm de celui que le fichier indique&#xa0;: plus que ce que l&apos;écart des triangles explique</translation>
     </message>
     <message>
         <source>the filter of system calls cannot be loaded: %1</source>
-        <translation>le filtre des appels système ne peut pas être chargé : %1</translation>
+        <translation>le filtre des appels système ne peut pas être chargé&#xa0;: %1</translation>
     </message>
     <message>
         <source>a SolidWorks file</source>
@@ -7720,11 +7724,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>joint &apos;%1&apos;</source>
-        <translation>liaison « %1 »</translation>
+        <translation>liaison «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>is not fixed: only rigid bodies are read</source>
-        <translation>n&apos;est pas fixe : seuls les corps rigides sont lus</translation>
+        <translation>n&apos;est pas fixe&#xa0;: seuls les corps rigides sont lus</translation>
     </message>
     <message>
         <source>has links that no joint connects to its root</source>
@@ -7736,7 +7740,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>link &apos;%1&apos;</source>
-        <translation>corps URDF « %1 »</translation>
+        <translation>corps URDF «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>has a shape whose size is not a positive number from 1e-12 m to 1e9 m</source>
@@ -7768,7 +7772,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>ends inside the element &apos;%1&apos;</source>
-        <translation>finit à l&apos;intérieur de l&apos;élément « %1 »</translation>
+        <translation>finit à l&apos;intérieur de l&apos;élément «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>is not valid UTF-8 text</source>
@@ -7792,7 +7796,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>has a processing instruction that does not end with its first &apos;&gt;&apos;</source>
-        <translation>a une instruction de traitement qui ne finit pas à son premier « &gt; »</translation>
+        <translation>a une instruction de traitement qui ne finit pas à son premier «&#xa0;&gt;&#xa0;»</translation>
     </message>
     <message>
         <source>has the end tag of an element that is not open</source>
@@ -7832,7 +7836,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>has &apos;&lt;&apos; in the value of an attribute, which XML writes as &amp;lt;</source>
-        <translation>a « &lt; » dans la valeur d&apos;un attribut, ce que XML écrit &amp;lt;</translation>
+        <translation>a «&#xa0;&lt;&#xa0;» dans la valeur d&apos;un attribut, ce que XML écrit &amp;lt;</translation>
     </message>
     <message>
         <source>has a tag or an attribute without a name</source>
@@ -7844,27 +7848,27 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>A person: keys, 6D mouse, gamepad and the controllers of a headset together.</source>
-        <translation>Une personne : clavier, souris 6D, manette de jeu et manettes d&apos;un casque ensemble.</translation>
+        <translation>Une personne&#xa0;: clavier, souris 6D, manette de jeu et manettes d&apos;un casque ensemble.</translation>
     </message>
     <message>
         <source>A person: the keys of the window.</source>
-        <translation>Une personne : les touches de la fenêtre.</translation>
+        <translation>Une personne&#xa0;: les touches de la fenêtre.</translation>
     </message>
     <message>
         <source>A person: a 3Dconnexion mouse.</source>
-        <translation>Une personne : une souris 3Dconnexion.</translation>
+        <translation>Une personne&#xa0;: une souris 3Dconnexion.</translation>
     </message>
     <message>
         <source>A person: a game controller.</source>
-        <translation>Une personne : une manette de jeu.</translation>
+        <translation>Une personne&#xa0;: une manette de jeu.</translation>
     </message>
     <message>
         <source>A person with a headset: its left controller.</source>
-        <translation>Une personne avec un casque : sa manette gauche.</translation>
+        <translation>Une personne avec un casque&#xa0;: sa manette gauche.</translation>
     </message>
     <message>
         <source>A person with a headset: its right controller.</source>
-        <translation>Une personne avec un casque : sa manette droite.</translation>
+        <translation>Une personne avec un casque&#xa0;: sa manette droite.</translation>
     </message>
     <message>
         <source>Simulated expert</source>
@@ -7964,7 +7968,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>%1; no clear position was found within %2 mm</source>
-        <translation>%1 ; aucune position dégagée n&apos;a été trouvée à moins de %2 mm</translation>
+        <translation>%1&#xa0;; aucune position dégagée n&apos;a été trouvée à moins de %2 mm</translation>
     </message>
     <message>
         <source>Switch fits on, put the object elsewhere, or check the parts and their unit.</source>
@@ -7972,19 +7976,19 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the object is nearer to &apos;%1&apos; than the required clearance</source>
-        <translation>l&apos;objet est plus près de « %1 » que le jeu exigé</translation>
+        <translation>l&apos;objet est plus près de «&#xa0;%1&#xa0;» que le jeu exigé</translation>
     </message>
     <message>
         <source>the object penetrates &apos;%1&apos;</source>
-        <translation>l&apos;objet pénètre dans « %1 »</translation>
+        <translation>l&apos;objet pénètre dans «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>the object touches &apos;%1&apos;</source>
-        <translation>l&apos;objet touche « %1 »</translation>
+        <translation>l&apos;objet touche «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>the object overlaps &apos;%1&apos; by %2 mm</source>
-        <translation>l&apos;objet recouvre « %1 » de %2 mm</translation>
+        <translation>l&apos;objet recouvre «&#xa0;%1&#xa0;» de %2 mm</translation>
     </message>
     <message>
         <source>the operation was stopped</source>
@@ -8000,7 +8004,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>&apos;%1&apos; was not expected</source>
-        <translation>« %1 » n&apos;était pas attendu</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;était pas attendu</translation>
     </message>
     <message>
         <source>a text stands where a number is needed</source>
@@ -8008,11 +8012,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>&apos;%1&apos;, a text, stands where a number is needed</source>
-        <translation>« %1 », un texte, est là où il faut un nombre</translation>
+        <translation>«&#xa0;%1&#xa0;», un texte, est là où il faut un nombre</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is missing</source>
-        <translation>« %1 » manque</translation>
+        <translation>«&#xa0;%1&#xa0;» manque</translation>
     </message>
     <message>
         <source>the rule ends too early</source>
@@ -8024,11 +8028,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the name &apos;%1&apos; is unknown</source>
-        <translation>le nom « %1 » est inconnu</translation>
+        <translation>le nom «&#xa0;%1&#xa0;» est inconnu</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has the wrong number of arguments</source>
-        <translation>« %1 » n&apos;a pas le bon nombre d&apos;arguments</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;a pas le bon nombre d&apos;arguments</translation>
     </message>
     <message>
         <source>the rule is nested too deeply</source>
@@ -8048,7 +8052,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Correct the rule: %1</source>
-        <translation>Corrigez la règle : %1</translation>
+        <translation>Corrigez la règle&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -8056,7 +8060,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>there is no local planner &apos;%1&apos;</source>
-        <translation>il n&apos;y a pas de planificateur local « %1 »</translation>
+        <translation>il n&apos;y a pas de planificateur local «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>has no last rule that always holds</source>
@@ -8076,7 +8080,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>A cost is 0 or more: correct the rule %1</source>
-        <translation>Un coût vaut 0 ou plus : corrigez la règle %1</translation>
+        <translation>Un coût vaut 0 ou plus&#xa0;: corrigez la règle %1</translation>
     </message>
     <message>
         <source>between %1 and %2</source>
@@ -8100,11 +8104,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>%1; forbidden: %2</source>
-        <translation>%1 ; interdits : %2</translation>
+        <translation>%1&#xa0;; interdits&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1; of infinite cost by the rules: %2</source>
-        <translation>%1 ; de coût infini d&apos;après les règles : %2</translation>
+        <translation>%1&#xa0;; de coût infini d&apos;après les règles&#xa0;: %2</translation>
     </message>
     <message>
         <source>Check the semantic attributes of the places, or use strategy G.</source>
@@ -8116,7 +8120,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>%1; crossed before</source>
-        <translation>%1 ; déjà traversé</translation>
+        <translation>%1&#xa0;; déjà traversé</translation>
     </message>
     <message>
         <source>place %1 was not crossed</source>
@@ -8160,7 +8164,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>%1; blocked, so %2</source>
-        <translation>%1 ; bloqué, donc %2</translation>
+        <translation>%1&#xa0;; bloqué, donc %2</translation>
     </message>
     <message>
         <source>preparing OMPL&apos;s planner</source>
@@ -8196,11 +8200,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>OMPL&apos;s path is not certified: it touches or passes through an obstacle</source>
-        <translation>le chemin d&apos;OMPL n&apos;est pas certifié : il touche ou traverse un obstacle</translation>
+        <translation>le chemin d&apos;OMPL n&apos;est pas certifié&#xa0;: il touche ou traverse un obstacle</translation>
     </message>
     <message>
         <source>Lower %1, or plan with &apos;auto&apos;.</source>
-        <translation>Réduisez %1, ou planifiez avec « auto ».</translation>
+        <translation>Réduisez %1, ou planifiez avec «&#xa0;auto&#xa0;».</translation>
     </message>
     <message>
         <source>Interactive with contact (paper)</source>
@@ -8208,7 +8212,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>You steer the object and the computer searches with you; near an obstacle the object slides on it (Blin et al. 2016, Algorithm 1).</source>
-        <translation>Vous guidez l&apos;objet et l&apos;ordinateur cherche avec vous ; près d&apos;un obstacle, l&apos;objet glisse dessus (Blin et al. 2016, algorithme 1).</translation>
+        <translation>Vous guidez l&apos;objet et l&apos;ordinateur cherche avec vous&#xa0;; près d&apos;un obstacle, l&apos;objet glisse dessus (Blin et al. 2016, algorithme 1).</translation>
     </message>
     <message>
         <source>Two trees, without you</source>
@@ -8216,7 +8220,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>The computer alone: the same planner with an authority of 1.</source>
-        <translation>L&apos;ordinateur seul : le même planificateur avec une autorité de 1.</translation>
+        <translation>L&apos;ordinateur seul&#xa0;: le même planificateur avec une autorité de 1.</translation>
     </message>
     <message>
         <source>Two trees of OMPL (RRT-Connect)</source>
@@ -8251,12 +8255,12 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
         <translation>Un arbre qui croît là où il est peu dense (Hsu et al. 1999).</translation>
     </message>
     <message>
-        <source>For comparison: unmodified %1</source>
-        <translation>Pour comparer : %1 non modifié</translation>
+        <source>&apos;%1&apos; is a planner for comparison, which only glissade-cli has</source>
+        <translation>«&#xa0;%1&#xa0;» est une stratégie de comparaison, que seul glissade-cli possède</translation>
     </message>
     <message>
-        <source>%1 as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
-        <translation>%1 tel que l&apos;emploient les utilisateurs d&apos;OMPL : collisions par FCL, arêtes vérifiées par points ; le premier chemin est jugé par notre certificat.</translation>
+        <source>Run it with &apos;glissade-cli plan&apos;, &apos;replay&apos; or &apos;study&apos;, or choose another strategy.</source>
+        <translation>Lancez-la avec «&#xa0;glissade-cli plan&#xa0;», «&#xa0;replay&#xa0;» ou «&#xa0;study&#xa0;», ou choisissez une autre stratégie.</translation>
     </message>
     <message>
         <source>Automatic</source>
@@ -8264,7 +8268,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Several planners work side by side; those that make progress get more time. No settings are needed.</source>
-        <translation>Plusieurs planificateurs travaillent en parallèle ; ceux qui progressent reçoivent plus de temps. Aucun réglage n&apos;est nécessaire.</translation>
+        <translation>Plusieurs planificateurs travaillent en parallèle&#xa0;; ceux qui progressent reçoivent plus de temps. Aucun réglage n&apos;est nécessaire.</translation>
     </message>
     <message>
         <source>Interactive</source>
@@ -8296,7 +8300,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>As the papers&apos; software of 2016: near an obstacle contact sampling pre-empts the authority draw.</source>
-        <translation>Comme le logiciel des articles en 2016 : près d&apos;un obstacle, les échantillons de contact passent avant le tirage de l&apos;autorité.</translation>
+        <translation>Comme le logiciel des articles en 2016&#xa0;: près d&apos;un obstacle, les échantillons de contact passent avant le tirage de l&apos;autorité.</translation>
     </message>
     <message>
         <source>One tree (G)</source>
@@ -8316,7 +8320,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Places: holes of the same shape (GTS1)</source>
-        <translation>Lieux : trous de même forme (GTS1)</translation>
+        <translation>Lieux&#xa0;: trous de même forme (GTS1)</translation>
     </message>
     <message>
         <source>Holes of the object&apos;s shape and easy places first (Cailhol et al. 2019, section 6.2).</source>
@@ -8324,7 +8328,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Places: holes that fit (GTS2)</source>
-        <translation>Lieux : trous qui conviennent (GTS2)</translation>
+        <translation>Lieux&#xa0;: trous qui conviennent (GTS2)</translation>
     </message>
     <message>
         <source>Holes that the object fits and easy places first (Cailhol et al. 2019, section 6.2, table 1).</source>
@@ -8336,11 +8340,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Geometry, places and semantics (GTS): the object goes through the passages that it fits best, and takes the next best way where one fails.</source>
-        <translation>Géométrie, lieux et sémantique (GTS) : l&apos;objet prend les passages qui lui conviennent le mieux, et le meilleur trajet suivant quand l&apos;un échoue.</translation>
+        <translation>Géométrie, lieux et sémantique (GTS)&#xa0;: l&apos;objet prend les passages qui lui conviennent le mieux, et le meilleur trajet suivant quand l&apos;un échoue.</translation>
     </message>
     <message>
         <source>Places: own rules</source>
-        <translation>Lieux : règles propres</translation>
+        <translation>Lieux&#xa0;: règles propres</translation>
     </message>
     <message>
         <source>The rules of the scenario.</source>
@@ -8356,7 +8360,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>RRT</source>
-        <translation type="unfinished"></translation>
+        <translation>RRT</translation>
     </message>
     <message>
         <source>One tree (LaValle 1998).</source>
@@ -8384,7 +8388,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the object is in the threads of %1, which no turn leaves at the same time: their axes or pitches differ</source>
-        <translation>l&apos;objet est dans les filetages de %1, qu&apos;aucune rotation ne dévisse en même temps : leurs axes ou leurs pas diffèrent</translation>
+        <translation>l&apos;objet est dans les filetages de %1, qu&apos;aucune rotation ne dévisse en même temps&#xa0;: leurs axes ou leurs pas diffèrent</translation>
     </message>
     <message>
         <source>it has no room</source>
@@ -8396,7 +8400,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the object cannot be turned out of the thread of %1, because %2</source>
-        <translation>l&apos;objet ne peut pas être dévissé du filetage de %1 : %2</translation>
+        <translation>l&apos;objet ne peut pas être dévissé du filetage de %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Remove what is named first, or change the thread.</source>
@@ -8412,11 +8416,23 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>fill the same place (%1 % of the larger one): they may be variants of one part</source>
-        <translation>remplissent la même place (%1 % du plus grand) : ce sont peut-être des variantes d&apos;une même pièce</translation>
+        <translation>remplissent la même place (%1 % du plus grand)&#xa0;: ce sont peut-être des variantes d&apos;une même pièce</translation>
     </message>
     <message>
         <source>Leave one out (--without %1).</source>
         <translation>Écartez-en un (--without %1).</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; names a standard that is not known</source>
+        <translation>«&#xa0;%1&#xa0;» nomme une norme inconnue</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no designation of a standard part that is known</source>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est la désignation d&apos;aucune pièce normalisée connue</translation>
+    </message>
+    <message>
+        <source>Give one as &apos;ISO 4762 M3x8&apos;, &apos;DIN 934 M5&apos; or &apos;M3x8 SHCS&apos;.</source>
+        <translation>Donnez-la comme «&#xa0;ISO 4762 M3x8&#xa0;», «&#xa0;DIN 934 M5&#xa0;» ou «&#xa0;M3x8 SHCS&#xa0;».</translation>
     </message>
     <message>
         <source>screw</source>
@@ -8457,18 +8473,6 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     <message>
         <source>seal</source>
         <translation>joint d&apos;étanchéité</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; names a standard that is not known</source>
-        <translation>« %1 » nomme une norme inconnue</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no designation of a standard part that is known</source>
-        <translation>« %1 » n&apos;est la désignation d&apos;aucune pièce normalisée connue</translation>
-    </message>
-    <message>
-        <source>Give one as &apos;ISO 4762 M3x8&apos;, &apos;DIN 934 M5&apos; or &apos;M3x8 SHCS&apos;.</source>
-        <translation>Donnez-la comme « ISO 4762 M3x8 », « DIN 934 M5 » ou « M3x8 SHCS ».</translation>
     </message>
     <message>
         <source>clearance</source>
@@ -8536,15 +8540,15 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>fit so that one of them would have to be taken %1 thinner, which the local thickness or the shape of neither gives: it counts as a clash</source>
-        <translation>s&apos;ajustent de telle sorte que l&apos;un des deux devrait être aminci de %1, ce que ni leur épaisseur locale ni leur forme ne permettent : c&apos;est une collision</translation>
+        <translation>s&apos;ajustent de telle sorte que l&apos;un des deux devrait être aminci de %1, ce que ni leur épaisseur locale ni leur forme ne permettent&#xa0;: c&apos;est une collision</translation>
     </message>
     <message>
         <source>fit so that one of them would have to be taken %1 thinner, which the local thickness or the shape of neither gives, and the surface of one is open %2 from the contact, so that what is inside it there is not known: it counts as a clash</source>
-        <translation>s&apos;ajustent de telle sorte que l&apos;un des deux devrait être aminci de %1, ce que ni leur épaisseur locale ni leur forme ne permettent, et la surface de l&apos;un est ouverte à %2 du contact, de sorte que son intérieur n&apos;y est pas connu : c&apos;est une collision</translation>
+        <translation>s&apos;ajustent de telle sorte que l&apos;un des deux devrait être aminci de %1, ce que ni leur épaisseur locale ni leur forme ne permettent, et la surface de l&apos;un est ouverte à %2 du contact, de sorte que son intérieur n&apos;y est pas connu&#xa0;: c&apos;est une collision</translation>
     </message>
     <message>
         <source>touch where neither can be taken thinner: the surfaces are open %1 and %2 from the contact, so that what is inside them there is not known</source>
-        <translation>se touchent là où aucun des deux ne peut être aminci : leurs surfaces sont ouvertes à %1 et %2 du contact, et l&apos;intérieur n&apos;y est donc pas connu</translation>
+        <translation>se touchent là où aucun des deux ne peut être aminci&#xa0;: leurs surfaces sont ouvertes à %1 et %2 du contact, et l&apos;intérieur n&apos;y est donc pas connu</translation>
     </message>
     <message>
         <source>was stopped while fits were searched</source>
@@ -8564,7 +8568,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>See &apos;glissade-cli fits&apos; for all of them.</source>
-        <translation>Voyez « glissade-cli fits » pour les connaître toutes.</translation>
+        <translation>Voyez «&#xa0;glissade-cli fits&#xa0;» pour les connaître toutes.</translation>
     </message>
     <message>
         <source>dissolved</source>
@@ -8592,7 +8596,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>&apos;glissade-cli joints&apos; lists those that are found; &apos;made&apos; makes one.</source>
-        <translation>« glissade-cli joints » énumère celles qui sont trouvées ; « made » en crée une.</translation>
+        <translation>«&#xa0;glissade-cli joints&#xa0;» énumère celles qui sont trouvées&#xa0;; «&#xa0;made&#xa0;» en crée une.</translation>
     </message>
     <message>
         <source>confirmed</source>
@@ -8708,7 +8712,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>joints hold each other in a circle: %1</source>
-        <translation>des liaisons se tiennent en cercle : %1</translation>
+        <translation>des liaisons se tiennent en cercle&#xa0;: %1</translation>
     </message>
     <message>
         <source>Dissolve or change one of them.</source>
@@ -8732,7 +8736,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the name says the drive &apos;%1&apos;, the shape is &apos;%2&apos;</source>
-        <translation>le nom dit l&apos;empreinte « %1 », la forme a « %2 »</translation>
+        <translation>le nom dit l&apos;empreinte «&#xa0;%1&#xa0;», la forme a «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>the name says a drive of %1, the shape has %2</source>
@@ -8740,7 +8744,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the name says &apos;%1&apos;</source>
-        <translation>le nom dit « %1 »</translation>
+        <translation>le nom dit «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>the head has the proportions of ISO 4762</source>
@@ -8748,7 +8752,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the sizes do not agree: a shaft of %1 in a nut %2</source>
-        <translation>les tailles ne concordent pas : un fût de %1 dans un écrou %2</translation>
+        <translation>les tailles ne concordent pas&#xa0;: un fût de %1 dans un écrou %2</translation>
     </message>
     <message>
         <source>the shaft is thicker than the hole</source>
@@ -8764,7 +8768,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>allows for &apos;%1&apos; and &apos;%2&apos;, which do not touch where they are assembled</source>
-        <translation>donne un amincissement à « %1 » et « %2 », qui ne se touchent pas en position assemblée</translation>
+        <translation>donne un amincissement à «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;», qui ne se touchent pas en position assemblée</translation>
     </message>
     <message>
         <source>Remove the allowance.</source>
@@ -8772,7 +8776,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>allows %1, more than the thickness of &apos;%2&apos; or of &apos;%3&apos; gives</source>
-        <translation>admet %1, plus que n&apos;en permet l&apos;épaisseur de « %2 » ou de « %3 »</translation>
+        <translation>admet %1, plus que n&apos;en permet l&apos;épaisseur de «&#xa0;%2&#xa0;» ou de «&#xa0;%3&#xa0;»</translation>
     </message>
     <message>
         <source>Give at most %1.</source>
@@ -8780,7 +8784,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>calls &apos;%1&apos; and &apos;%2&apos; a thread, but no shaft of the one is on the axis of a hole of the other</source>
-        <translation>donne « %1 » et « %2 » pour un filetage, mais aucun arbre de l&apos;un n&apos;est sur l&apos;axe d&apos;un alésage de l&apos;autre</translation>
+        <translation>donne «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» pour un filetage, mais aucun arbre de l&apos;un n&apos;est sur l&apos;axe d&apos;un alésage de l&apos;autre</translation>
     </message>
     <message>
         <source>Give another kind.</source>
@@ -8793,10 +8797,6 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     <message>
         <source>overlap by %1, and neither can be cut and stay in one piece</source>
         <translation>se recouvrent de %1, et aucun des deux ne peut être découpé et rester d&apos;un seul tenant</translation>
-    </message>
-    <message>
-        <source>Name the one that is cut (--cut NAME), or mend the parts.</source>
-        <translation>Nommez celui qui est découpé (--cut NAME), ou corrigez les pièces.</translation>
     </message>
     <message>
         <source>Mend the parts.</source>
@@ -8864,11 +8864,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the assembly is called &apos;%1&apos;</source>
-        <translation>l&apos;assemblage s&apos;appelle « %1 »</translation>
+        <translation>l&apos;assemblage s&apos;appelle «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>its class is &apos;%1&apos;</source>
-        <translation>sa classe est « %1 »</translation>
+        <translation>sa classe est «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>it is a ring of round section</source>
@@ -8900,7 +8900,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the file has no hole there, so the screw makes it</source>
-        <translation>le fichier n&apos;a pas de trou à cet endroit : la vis le fait</translation>
+        <translation>le fichier n&apos;a pas de trou à cet endroit&#xa0;: la vis le fait</translation>
     </message>
     <message>
         <source>the nut is free to be turned</source>
@@ -8944,7 +8944,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the goal is &quot;out&quot;, which has no position</source>
-        <translation>le but est « dehors », qui n&apos;a pas de position</translation>
+        <translation>le but est «&#xa0;dehors&#xa0;», qui n&apos;a pas de position</translation>
     </message>
     <message>
         <source>Give the goal a position first.</source>
@@ -8981,10 +8981,6 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     <message>
         <source>is not unsaved edits of Glissade</source>
         <translation>n&apos;est pas un fichier de modifications non enregistrées de Glissade</translation>
-    </message>
-    <message>
-        <source>is not screw, nut, washer, pin or none</source>
-        <translation>n&apos;est pas screw, nut, washer, pin ou none</translation>
     </message>
     <message>
         <source>Give planar, cylindrical, thread, press, overlap, contact or clash.</source>
@@ -9024,27 +9020,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>is several parts in one body of the scenario, of which &apos;%1&apos; cannot be moved alone</source>
-        <translation>est fait de plusieurs pièces en un seul corps du scénario, dont « %1 » ne peut pas être déplacée seule</translation>
+        <translation>est fait de plusieurs pièces en un seul corps du scénario, dont «&#xa0;%1&#xa0;» ne peut pas être déplacée seule</translation>
     </message>
     <message>
         <source>Make a scenario that has each part as a body: New from parts does so with STEP files.</source>
-        <translation>Faites un scénario où chaque pièce est un corps : Nouveau à partir de pièces le fait pour les fichiers STEP.</translation>
-    </message>
-    <message>
-        <source>is no word about a joint</source>
-        <translation>n&apos;est pas une parole sur une liaison</translation>
-    </message>
-    <message>
-        <source>Give confirmed, dissolved, pressed_out or opened.</source>
-        <translation>Donnez confirmed, dissolved, pressed_out ou opened.</translation>
-    </message>
-    <message>
-        <source>is not a kind of joint</source>
-        <translation>n&apos;est pas un type de liaison</translation>
-    </message>
-    <message>
-        <source>Give screw, nut, thread, insert, pin, snap, flexible, permanent or unit.</source>
-        <translation>Donnez screw, nut, thread, insert, pin, snap, flexible, permanent ou unit.</translation>
+        <translation>Faites un scénario où chaque pièce est un corps&#xa0;: Nouveau à partir de pièces le fait pour les fichiers STEP.</translation>
     </message>
     <message>
         <source>has no length</source>
@@ -9053,14 +9033,6 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     <message>
         <source>Give a direction, as [0, 0, 1].</source>
         <translation>Donnez une direction, par exemple [0, 0, 1].</translation>
-    </message>
-    <message>
-        <source>is not a drive</source>
-        <translation>n&apos;est pas une empreinte</translation>
-    </message>
-    <message>
-        <source>Give hex, hex_socket, cross, slot, six_lobe or none.</source>
-        <translation>Donnez hex, hex_socket, cross, slot, six_lobe ou none.</translation>
     </message>
     <message>
         <source>has no effect, because the joint is not confirmed</source>
@@ -9112,7 +9084,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>cannot be what moves: the scenario has its object</source>
-        <translation>ne peut pas être la pièce qui bouge : le scénario a déjà son objet</translation>
+        <translation>ne peut pas être la pièce qui bouge&#xa0;: le scénario a déjà son objet</translation>
     </message>
     <message>
         <source>Make it static or mobile.</source>
@@ -9156,11 +9128,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>paths are not written as &apos;.%1&apos;</source>
-        <translation>les chemins ne s&apos;écrivent pas en « .%1 »</translation>
-    </message>
-    <message>
-        <source>Choose one of: %1.</source>
-        <translation>Choisissez parmi : %1.</translation>
+        <translation>les chemins ne s&apos;écrivent pas en «&#xa0;.%1&#xa0;»</translation>
     </message>
     <message>
         <source>a position of the path is beyond single precision</source>
@@ -9168,7 +9136,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>is one too many: a path has at most %1 configurations</source>
-        <translation>est de trop : un chemin a au plus %1 configurations</translation>
+        <translation>est de trop&#xa0;: un chemin a au plus %1 configurations</translation>
     </message>
     <message>
         <source>holds %1, which is not a finite number</source>
@@ -9184,15 +9152,15 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>is not &quot;%1&quot;</source>
-        <translation>n&apos;est pas « %1 »</translation>
+        <translation>n&apos;est pas «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Give the path as one of: %1.</source>
-        <translation>Donnez le chemin dans l&apos;un de ces formats : %1.</translation>
+        <translation>Donnez le chemin dans l&apos;un de ces formats&#xa0;: %1.</translation>
     </message>
     <message>
         <source>is about a product that has &apos;%1&apos;</source>
-        <translation>concerne un produit qui a « %1 »</translation>
+        <translation>concerne un produit qui a «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>is about a product with other bodies</source>
@@ -9231,28 +9199,12 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
         <translation>reste, ou est déjà sorti</translation>
     </message>
     <message>
-        <source>is not before, fastener, standing, place or joint</source>
-        <translation>n&apos;est pas before, fastener, standing, place ou joint</translation>
-    </message>
-    <message>
-        <source>is not hex_key, socket, screwdriver, open_wrench or none</source>
-        <translation>n&apos;est pas hex_key, socket, screwdriver, open_wrench ou none</translation>
-    </message>
-    <message>
-        <source>is not not_asked, free or blocked</source>
-        <translation>n&apos;est pas not_asked, free ou blocked</translation>
-    </message>
-    <message>
         <source>is not an earlier step</source>
         <translation>n&apos;est pas une étape précédente</translation>
     </message>
     <message>
         <source>is not certified or not_certified</source>
         <translation>n&apos;est pas certified ou not_certified</translation>
-    </message>
-    <message>
-        <source>is not a kind of drive</source>
-        <translation>n&apos;est pas un type d&apos;empreinte</translation>
     </message>
     <message>
         <source>is without a pitch</source>
@@ -9276,7 +9228,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Change &quot;deflection&quot; of the asset there, or give the part file.</source>
-        <translation>Changez-y « deflection » de l&apos;asset, ou donnez le fichier de la pièce.</translation>
+        <translation>Changez-y «&#xa0;deflection&#xa0;» de l&apos;asset, ou donnez le fichier de la pièce.</translation>
     </message>
     <message>
         <source>is a scenario, which says itself which bodies it has</source>
@@ -9284,15 +9236,15 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Name the solids when it is made: glissade-cli new OUT.json --static FILE:PART/SOLID --static FILE.</source>
-        <translation>Nommez les solides à sa création : glissade-cli new OUT.json --static FICHIER:PIÈCE/SOLIDE --static FICHIER.</translation>
+        <translation>Nommez les solides à sa création&#xa0;: glissade-cli new OUT.json --static FICHIER:PIÈCE/SOLIDE --static FICHIER.</translation>
     </message>
     <message>
         <source>holds one part of several solids: there is nothing to take apart</source>
-        <translation>contient une seule pièce de plusieurs solides : il n&apos;y a rien à démonter</translation>
+        <translation>contient une seule pièce de plusieurs solides&#xa0;: il n&apos;y a rien à démonter</translation>
     </message>
     <message>
         <source>Give a product of several parts, or take it as its solids: --open %1.</source>
-        <translation>Donnez un produit de plusieurs pièces, ou prenez-le comme ses solides : --open %1.</translation>
+        <translation>Donnez un produit de plusieurs pièces, ou prenez-le comme ses solides&#xa0;: --open %1.</translation>
     </message>
     <message>
         <source>is damaged, and names the scenario and the settings of the run</source>
@@ -9320,11 +9272,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>is damaged: %1 lines of the journal are lost</source>
-        <translation>est endommagé : %1 lignes du journal sont perdues</translation>
+        <translation>est endommagé&#xa0;: %1 lignes du journal sont perdues</translation>
     </message>
     <message>
         <source>Nothing is missing until step %1; the replay may differ from the run after it.</source>
-        <translation>Rien ne manque jusqu&apos;au pas %1 ; ensuite la relecture peut différer du calcul.</translation>
+        <translation>Rien ne manque jusqu&apos;au pas %1&#xa0;; ensuite la relecture peut différer du calcul.</translation>
     </message>
     <message>
         <source>Name the scenario that the run was recorded on, as it was then.</source>
@@ -9332,19 +9284,19 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the run was recorded on another scenario than &apos;%1&apos;</source>
-        <translation>le calcul a été enregistré sur un autre scénario que « %1 »</translation>
+        <translation>le calcul a été enregistré sur un autre scénario que «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>the asset &apos;%1&apos; has changed since the run was recorded</source>
-        <translation>l&apos;asset « %1 » a changé depuis l&apos;enregistrement du calcul</translation>
+        <translation>l&apos;asset «&#xa0;%1&#xa0;» a changé depuis l&apos;enregistrement du calcul</translation>
     </message>
     <message>
         <source>Replay it with the Glissade that recorded it: %1.</source>
-        <translation>Rejouez-le avec la version de Glissade qui l&apos;a enregistré : %1.</translation>
+        <translation>Rejouez-le avec la version de Glissade qui l&apos;a enregistré&#xa0;: %1.</translation>
     </message>
     <message>
         <source>names the unknown parameter &apos;%1&apos;</source>
-        <translation>nomme le paramètre inconnu « %1 »</translation>
+        <translation>nomme le paramètre inconnu «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>comes before the step above it</source>
@@ -9404,7 +9356,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>leaves bodies out: %1</source>
-        <translation>écarte des corps : %1</translation>
+        <translation>écarte des corps&#xa0;: %1</translation>
     </message>
     <message>
         <source>Proofs are about the product without them.</source>
@@ -9444,15 +9396,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>is not a colour: three numbers from 0 to 1</source>
-        <translation>n&apos;est pas une couleur : trois nombres de 0 à 1</translation>
+        <translation>n&apos;est pas une couleur&#xa0;: trois nombres de 0 à 1</translation>
     </message>
     <message>
         <source>Add the asset.</source>
         <translation>Ajoutez l&apos;asset.</translation>
-    </message>
-    <message>
-        <source>is neither &quot;static&quot; nor &quot;mobile&quot;</source>
-        <translation>n&apos;est ni « static » ni « mobile »</translation>
     </message>
     <message>
         <source>is for mesh files only</source>
@@ -9460,7 +9408,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>is said twice: there is &apos;centre_on_vertex_mean&apos;</source>
-        <translation>est dit deux fois : il y a « centre_on_vertex_mean »</translation>
+        <translation>est dit deux fois&#xa0;: il y a «&#xa0;centre_on_vertex_mean&#xa0;»</translation>
     </message>
     <message>
         <source>is not beside &apos;centre_on_vertex_mean&apos;</source>
@@ -9468,7 +9416,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Remove it, or see &apos;glissade-cli plan --help&apos;.</source>
-        <translation>Supprimez-le, ou voyez « glissade-cli plan --help ».</translation>
+        <translation>Supprimez-le, ou voyez «&#xa0;glissade-cli plan --help&#xa0;».</translation>
     </message>
     <message>
         <source>Give every one an id of its own.</source>
@@ -9476,7 +9424,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>is version %1; this program reads up to version %2</source>
-        <translation>est de la version %1 ; ce programme lit jusqu&apos;à la version %2</translation>
+        <translation>est de la version %1&#xa0;; ce programme lit jusqu&apos;à la version %2</translation>
     </message>
     <message>
         <source>is not a box</source>
@@ -9484,7 +9432,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Give six coordinates: the least x, y and z, then the largest.</source>
-        <translation>Donnez six coordonnées : les plus petits x, y et z, puis les plus grands.</translation>
+        <translation>Donnez six coordonnées&#xa0;: les plus petits x, y et z, puis les plus grands.</translation>
     </message>
     <message>
         <source>Give metres, or 0 for as fine as the memory allows.</source>
@@ -9499,18 +9447,6 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
         <translation>Donnez region-growing ou watershed.</translation>
     </message>
     <message>
-        <source>is neither &quot;place&quot; nor &quot;body&quot;</source>
-        <translation>n&apos;est ni « place » ni « body »</translation>
-    </message>
-    <message>
-        <source>is not a type of attribute</source>
-        <translation>n&apos;est pas un type d&apos;attribut</translation>
-    </message>
-    <message>
-        <source>Give bool, integer, number, text or choice.</source>
-        <translation>Donnez bool, integer, number, text ou choice.</translation>
-    </message>
-    <message>
         <source>names fewer than %1 bodies</source>
         <translation>nomme moins de %1 corps</translation>
     </message>
@@ -9523,8 +9459,8 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
         <translation>n&apos;est pas fait de deux textes</translation>
     </message>
     <message>
-        <source>is not a body and screw, nut, washer, pin or none</source>
-        <translation>n&apos;est pas un corps suivi de screw, nut, washer, pin ou none</translation>
+        <source>names a fastener that is not one of: %1</source>
+        <translation>nomme une fixation qui n&apos;est pas l&apos;une de&#xa0;: %1</translation>
     </message>
     <message>
         <source>is not 1 or more</source>
@@ -9535,12 +9471,8 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
         <translation>a moins de deux configurations</translation>
     </message>
     <message>
-        <source>is not off, recognised or suggested</source>
-        <translation>n&apos;est pas off, recognised ou suggested</translation>
-    </message>
-    <message>
         <source>the class of &apos;%1&apos; is &apos;%2&apos;, which is not a class of bodies</source>
-        <translation>la classe de « %1 » est « %2 », qui n&apos;est pas une classe de corps</translation>
+        <translation>la classe de «&#xa0;%1&#xa0;» est «&#xa0;%2&#xa0;», qui n&apos;est pas une classe de corps</translation>
     </message>
     <message>
         <source>Choose one of %1, or add it under /sequence/classes.</source>
@@ -9552,7 +9484,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>does not say its unit; its size is %1</source>
-        <translation>ne dit pas son unité ; sa taille est %1</translation>
+        <translation>ne dit pas son unité&#xa0;; sa taille est %1</translation>
     </message>
     <message>
         <source>it is taken in millimetres</source>
@@ -9568,15 +9500,15 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>other files taken in the same way: %1</source>
-        <translation>autres fichiers interprétés de la même façon : %1</translation>
+        <translation>autres fichiers interprétés de la même façon&#xa0;: %1</translation>
     </message>
     <message>
         <source>Give the unit: --unit 1mm, or --unit 1m.</source>
-        <translation>Donnez l&apos;unité : --unit 1mm, ou --unit 1m.</translation>
+        <translation>Donnez l&apos;unité&#xa0;: --unit 1mm, ou --unit 1m.</translation>
     </message>
     <message>
         <source>Give the unit: --unit 1m, or --unit 1mm.</source>
-        <translation>Donnez l&apos;unité : --unit 1m, ou --unit 1mm.</translation>
+        <translation>Donnez l&apos;unité&#xa0;: --unit 1m, ou --unit 1mm.</translation>
     </message>
     <message>
         <source>is not %1</source>
@@ -9588,7 +9520,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Take the names that &apos;times --write-table&apos; writes.</source>
-        <translation>Prenez les noms qu&apos;écrit « times --write-table ».</translation>
+        <translation>Prenez les noms qu&apos;écrit «&#xa0;times --write-table&#xa0;».</translation>
     </message>
     <message>
         <source>is not from 0 to %1</source>
@@ -9616,15 +9548,15 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the motion that &apos;%1&apos; keeps begins in the direction that is to be forbidden</source>
-        <translation>le mouvement que « %1 » garde commence dans la direction à interdire</translation>
+        <translation>le mouvement que «&#xa0;%1&#xa0;» garde commence dans la direction à interdire</translation>
     </message>
     <message>
         <source>the motion begins in a direction that is forbidden to &apos;%1&apos;</source>
-        <translation>le mouvement commence dans une direction interdite à « %1 »</translation>
+        <translation>le mouvement commence dans une direction interdite à «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is to leave before &apos;%2&apos;</source>
-        <translation>« %1 » doit sortir avant « %2 »</translation>
+        <translation>«&#xa0;%1&#xa0;» doit sortir avant «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>Remove the earlier demand, or leave out the new one.</source>
@@ -9636,7 +9568,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>of %1 mm</source>
-        <translation>de %1 mm</translation>
+        <translation>de %1&#xa0;mm</translation>
     </message>
     <message>
         <source>%1 screw</source>
@@ -9732,7 +9664,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>a demand names &apos;%1&apos;, which is not a body of the product</source>
-        <translation>une exigence nomme « %1 », qui n&apos;est pas un corps du produit</translation>
+        <translation>une exigence nomme «&#xa0;%1&#xa0;», qui n&apos;est pas un corps du produit</translation>
     </message>
     <message>
         <source>a demand about a step names no body</source>
@@ -9740,7 +9672,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>&apos;%1&apos; is in two steps or groups that are demanded</source>
-        <translation>« %1 » est dans deux étapes ou groupes exigés</translation>
+        <translation>«&#xa0;%1&#xa0;» est dans deux étapes ou groupes exigés</translation>
     </message>
     <message>
         <source>Name the same bodies in both, or remove one.</source>
@@ -9756,7 +9688,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>&apos;%1&apos; is demanded at two places</source>
-        <translation>« %1 » est exigé à deux places</translation>
+        <translation>«&#xa0;%1&#xa0;» est exigé à deux places</translation>
     </message>
     <message>
         <source>Remove one of them.</source>
@@ -9772,15 +9704,15 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>&apos;%1&apos; has two demanded motions</source>
-        <translation>« %1 » a deux mouvements exigés</translation>
+        <translation>«&#xa0;%1&#xa0;» a deux mouvements exigés</translation>
     </message>
     <message>
         <source>a direction that is forbidden to &apos;%1&apos; has no length</source>
-        <translation>une direction interdite à « %1 » est de longueur nulle</translation>
+        <translation>une direction interdite à «&#xa0;%1&#xa0;» est de longueur nulle</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has a demanded motion in a direction that is forbidden to it</source>
-        <translation>« %1 » a un mouvement exigé dans une direction qui lui est interdite</translation>
+        <translation>«&#xa0;%1&#xa0;» a un mouvement exigé dans une direction qui lui est interdite</translation>
     </message>
     <message>
         <source>Remove one of the two demands.</source>
@@ -9788,7 +9720,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>&apos;%1&apos; is demanded to leave with others twice</source>
-        <translation>« %1 » est deux fois exigé dans un groupe</translation>
+        <translation>«&#xa0;%1&#xa0;» est deux fois exigé dans un groupe</translation>
     </message>
     <message>
         <source>Name each body once.</source>
@@ -9800,7 +9732,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>&apos;%1&apos; stays, and is demanded to leave as step %2</source>
-        <translation>« %1 » reste, et doit sortir à l&apos;étape %2</translation>
+        <translation>«&#xa0;%1&#xa0;» reste, et doit sortir à l&apos;étape %2</translation>
     </message>
     <message>
         <source>Let another body stay, or remove the demand.</source>
@@ -9812,7 +9744,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Whatever can leave leaves, the smallest first; what cannot is asked again when one of those in its way has left.</source>
-        <translation>Tout ce qui peut sortir sort, le plus petit d&apos;abord ; ce qui ne le peut pas est réessayé quand un corps qui le gêne est sorti.</translation>
+        <translation>Tout ce qui peut sortir sort, le plus petit d&apos;abord&#xa0;; ce qui ne le peut pas est réessayé quand un corps qui le gêne est sorti.</translation>
     </message>
     <message>
         <source>Best first</source>
@@ -9820,7 +9752,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>The motions of the greedy strategy in the order that costs least: length, changes of direction and of tools, bodies that would fall.</source>
-        <translation>Les mouvements de la stratégie greedy dans l&apos;ordre le moins coûteux : longueur, changements de direction et d&apos;outil, corps qui tomberaient.</translation>
+        <translation>Les mouvements de la stratégie greedy dans l&apos;ordre le moins coûteux&#xa0;: longueur, changements de direction et d&apos;outil, corps qui tomberaient.</translation>
     </message>
     <message>
         <source>As a fitter would</source>
@@ -9852,15 +9784,15 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>&apos;%1&apos; is one part of %2 solids that do not touch each other: take these as parts (--open &quot;%3&quot;, or &quot;Groups and solids are parts&quot; in the list of parts)</source>
-        <translation>« %1 » est une pièce de %2 solides qui ne se touchent pas : prenez-les comme des pièces (--open &quot;%3&quot;, ou « Groupes et solides sont des pièces » dans la liste des pièces)</translation>
+        <translation>«&#xa0;%1&#xa0;» est une pièce de %2 solides qui ne se touchent pas&#xa0;: prenez-les comme des pièces (--open &quot;%3&quot;, ou «&#xa0;Groupes et solides sont des pièces&#xa0;» dans la liste des pièces)</translation>
     </message>
     <message>
         <source>it is demanded that &apos;%1&apos; leaves before</source>
-        <translation>il est exigé que « %1 » sorte avant</translation>
+        <translation>il est exigé que «&#xa0;%1&#xa0;» sorte avant</translation>
     </message>
     <message>
         <source>it and &apos;%1&apos; hold each other: neither was found to leave alone, nor both as one; motions of several bodies at the same time are not searched</source>
-        <translation>elle et « %1 » se bloquent mutuellement : aucun mouvement n&apos;a été trouvé, ni pour l&apos;une seule, ni pour les deux ensemble ; les mouvements simultanés de plusieurs corps ne sont pas cherchés</translation>
+        <translation>elle et «&#xa0;%1&#xa0;» se bloquent mutuellement&#xa0;: aucun mouvement n&apos;a été trouvé, ni pour l&apos;une seule, ni pour les deux ensemble&#xa0;; les mouvements simultanés de plusieurs corps ne sont pas cherchés</translation>
     </message>
     <message>
         <source>the motion that a person gave it is not free</source>
@@ -9880,31 +9812,27 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>held by %1: remove these first; &apos;%2&apos; is captive: &apos;%3&apos; is in its way</source>
-        <translation>tenue par %1 : retirez-les d&apos;abord ; « %2 » est imperdable : « %3 » est sur son chemin</translation>
+        <translation>tenue par %1&#xa0;: retirez-les d&apos;abord&#xa0;; «&#xa0;%2&#xa0;» est imperdable&#xa0;: «&#xa0;%3&#xa0;» est sur son chemin</translation>
     </message>
     <message>
         <source>held by %1: remove these first</source>
-        <translation>tenue par %1 : retirez-les d&apos;abord</translation>
+        <translation>tenue par %1&#xa0;: retirez-les d&apos;abord</translation>
     </message>
     <message>
         <source>it is held by %1 in &apos;%2&apos;, and no free turn out of it was found: free the way, or dissolve the joint</source>
-        <translation>elle est tenue par %1 dans « %2 », et aucune rotation libre ne l&apos;en sort : dégagez le passage, ou dissolvez la liaison</translation>
+        <translation>elle est tenue par %1 dans «&#xa0;%2&#xa0;», et aucune rotation libre ne l&apos;en sort&#xa0;: dégagez le passage, ou dissolvez la liaison</translation>
     </message>
     <message>
         <source>it and &apos;%1&apos; clash where they are assembled: mend the parts, or accept the clash</source>
-        <translation>elle et « %1 » sont en collision à l’état assemblé : corrigez les pièces, ou acceptez la collision</translation>
+        <translation>elle et «&#xa0;%1&#xa0;» sont en collision à l’état assemblé&#xa0;: corrigez les pièces, ou acceptez la collision</translation>
     </message>
     <message>
         <source>it and &apos;%1&apos; clash where they are assembled (%2): mend the parts, or accept the clash</source>
-        <translation>elle et « %1 » sont en collision à l’état assemblé (%2) : corrigez les pièces, ou acceptez la collision</translation>
+        <translation>elle et «&#xa0;%1&#xa0;» sont en collision à l’état assemblé (%2)&#xa0;: corrigez les pièces, ou acceptez la collision</translation>
     </message>
     <message>
         <source>&apos;%1&apos; needs the tool &apos;%2&apos;, which is unknown</source>
-        <translation>« %1 » demande l&apos;outil « %2 », qui est inconnu</translation>
-    </message>
-    <message>
-        <source>Choose hex_key, socket, screwdriver, open_wrench or none.</source>
-        <translation>Choisissez hex_key, socket, screwdriver, open_wrench ou none.</translation>
+        <translation>«&#xa0;%1&#xa0;» demande l&apos;outil «&#xa0;%2&#xa0;», qui est inconnu</translation>
     </message>
     <message>
         <source>a part is small below this length</source>
@@ -10027,16 +9955,12 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
         <translation>%1, graine %2</translation>
     </message>
     <message>
-        <source>there is no such planner</source>
-        <translation>cette stratégie n&apos;existe pas</translation>
-    </message>
-    <message>
         <source>Choose one of %1.</source>
         <translation>Choisissez parmi %1.</translation>
     </message>
     <message>
         <source>the path that was found leads through &apos;%1&apos;, which was forbidden meanwhile</source>
-        <translation>le chemin trouvé passe par « %1 », interdit entre-temps</translation>
+        <translation>le chemin trouvé passe par «&#xa0;%1&#xa0;», interdit entre-temps</translation>
     </message>
     <message>
         <source>the step limit of %1 was reached without a path</source>
@@ -10088,19 +10012,19 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the milestone is inside of &apos;%1&apos;, which is forbidden</source>
-        <translation>le jalon est à l&apos;intérieur de « %1 », qui est interdit</translation>
+        <translation>le jalon est à l&apos;intérieur de «&#xa0;%1&#xa0;», qui est interdit</translation>
     </message>
     <message>
         <source>the reference point is inside of &apos;%1&apos;, which is forbidden</source>
-        <translation>le point de référence est à l&apos;intérieur de « %1 », qui est interdit</translation>
+        <translation>le point de référence est à l&apos;intérieur de «&#xa0;%1&#xa0;», qui est interdit</translation>
     </message>
     <message>
         <source>the milestone lies on the boundary of &apos;%1&apos;, which is forbidden, or within the margin of %2 m</source>
-        <translation>le jalon est sur le bord de « %1 », qui est interdit, ou dans la marge de %2 m</translation>
+        <translation>le jalon est sur le bord de «&#xa0;%1&#xa0;», qui est interdit, ou dans la marge de %2 m</translation>
     </message>
     <message>
         <source>the reference point lies on the boundary of &apos;%1&apos;, which is forbidden, or within the margin of %2 m</source>
-        <translation>le point de référence est sur le bord de « %1 », qui est interdit, ou dans la marge de %2 m</translation>
+        <translation>le point de référence est sur le bord de «&#xa0;%1&#xa0;», qui est interdit, ou dans la marge de %2 m</translation>
     </message>
     <message>
         <source>is not a valid configuration</source>
@@ -10116,11 +10040,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the object is %1 m from &apos;%2&apos;, nearer than the required clearance of %3 m</source>
-        <translation>l&apos;objet est à %1 m de « %2 », moins que le jeu exigé de %3 m</translation>
+        <translation>l&apos;objet est à %1 m de «&#xa0;%2 », moins que le jeu exigé de %3 m</translation>
     </message>
     <message>
         <source>the milestone is in collision with &apos;%1&apos;</source>
-        <translation>le jalon est en collision avec « %1 »</translation>
+        <translation>le jalon est en collision avec «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Put it where the object is free, or remove it.</source>
@@ -10136,7 +10060,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>the goal &apos;out&apos; cannot be reached: the workspace has no room outside the box around the obstacles</source>
-        <translation>le but « dehors » est hors d&apos;atteinte : l&apos;espace de travail n&apos;a pas de place hors de la boîte englobante des obstacles</translation>
+        <translation>le but «&#xa0;dehors&#xa0;» est hors d&apos;atteinte&#xa0;: l&apos;espace de travail n&apos;a pas de place hors de la boîte englobante des obstacles</translation>
     </message>
     <message>
         <source>Enlarge the workspace by the size of the object on one side at least.</source>
@@ -10148,31 +10072,39 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>holds no results of benchmarks</source>
-        <translation type="unfinished"></translation>
+        <translation>ne contient pas de résultats de comparaisons</translation>
     </message>
     <message>
         <source>Run packaging/benchmarks.sh, and give the folder that it filled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Exécutez packaging/benchmarks.sh et indiquez le dossier qu&apos;il a rempli.</translation>
     </message>
     <message>
         <source>is not ns, us, ms or s</source>
-        <translation type="unfinished"></translation>
+        <translation>n&apos;est ni ns, ni us, ni ms, ni s</translation>
+    </message>
+    <message>
+        <source>For comparison: unmodified %1</source>
+        <translation>Pour comparer&#xa0;: %1 non modifié</translation>
+    </message>
+    <message>
+        <source>%1 as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
+        <translation>%1 tel que l&apos;emploient les utilisateurs d&apos;OMPL&#xa0;: collisions par FCL, arêtes vérifiées par points&#xa0;; le premier chemin est jugé par notre certificat.</translation>
     </message>
     <message>
         <source>mean of %1 over all runs</source>
-        <translation>moyenne de « %1 » sur tous les essais</translation>
+        <translation>moyenne de «&#xa0;%1&#xa0;» sur tous les essais</translation>
     </message>
     <message>
         <source>mean of %1 over the solved runs</source>
-        <translation>moyenne de « %1 » sur les essais résolus</translation>
+        <translation>moyenne de «&#xa0;%1&#xa0;» sur les essais résolus</translation>
     </message>
     <message>
         <source>median of %1 over all runs</source>
-        <translation>médiane de « %1 » sur tous les essais</translation>
+        <translation>médiane de «&#xa0;%1&#xa0;» sur tous les essais</translation>
     </message>
     <message>
         <source>median of %1 over the solved runs</source>
-        <translation>médiane de « %1 » sur les essais résolus</translation>
+        <translation>médiane de «&#xa0;%1&#xa0;» sur les essais résolus</translation>
     </message>
     <message>
         <source>%1 has not been run</source>
@@ -10184,23 +10116,23 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>%1: %2; wanted below %3</source>
-        <translation>%1 : %2 ; voulu sous %3</translation>
+        <translation>%1&#xa0;: %2&#xa0;; voulu sous %3</translation>
     </message>
     <message>
         <source>%1: %2; wanted above %3</source>
-        <translation>%1 : %2 ; voulu au-dessus de %3</translation>
+        <translation>%1&#xa0;: %2&#xa0;; voulu au-dessus de %3</translation>
     </message>
     <message>
         <source>%1: %2 against %3: %4</source>
-        <translation>%1 : %2 contre %3 : %4</translation>
+        <translation>%1&#xa0;: %2 contre %3&#xa0;: %4</translation>
     </message>
     <message>
         <source>%1, %2 times; wanted below %3</source>
-        <translation>%1, %2 fois ; voulu sous %3</translation>
+        <translation>%1, %2 fois&#xa0;; voulu sous %3</translation>
     </message>
     <message>
         <source>%1, %2 times; wanted above %3</source>
-        <translation>%1, %2 fois ; voulu au-dessus de %3</translation>
+        <translation>%1, %2 fois&#xa0;; voulu au-dessus de %3</translation>
     </message>
     <message>
         <source>Its rows are not part of this size of the study</source>
@@ -10220,11 +10152,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Put it into &quot;than&quot;.</source>
-        <translation>Mettez-le dans « than ».</translation>
+        <translation>Mettez-le dans «&#xa0;than&#xa0;».</translation>
     </message>
     <message>
         <source>names the unknown %1 &apos;%2&apos;</source>
-        <translation>nomme %1 inconnu « %2 »</translation>
+        <translation>nomme %1 inconnu «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>measure</source>
@@ -10273,14 +10205,6 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     <message>
         <source>Work instruction</source>
         <translation>Gamme de montage</translation>
-    </message>
-    <message>
-        <source>is no column of the parts list</source>
-        <translation>n&apos;est pas une colonne de la nomenclature</translation>
-    </message>
-    <message>
-        <source>Take picture, part, designation, count or steps.</source>
-        <translation>Prenez picture, part, designation, count ou steps.</translation>
     </message>
     <message>
         <source>names no column</source>
@@ -10468,11 +10392,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Framed steps: the longest chain</source>
-        <translation>Étapes encadrées : la chaîne la plus longue</translation>
+        <translation>Étapes encadrées&#xa0;: la chaîne la plus longue</translation>
     </message>
     <message>
         <source>Step %1: %2</source>
-        <translation>Étape %1 : %2</translation>
+        <translation>Étape %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>base</source>
@@ -10480,7 +10404,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Report of a path: %1</source>
-        <translation>Rapport d&apos;un chemin : %1</translation>
+        <translation>Rapport d&apos;un chemin&#xa0;: %1</translation>
     </message>
     <message>
         <source>Scenario</source>
@@ -10524,7 +10448,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>The path is proved free of penetration: the part keeps the required clearance from all other parts at every time of the motion, not only at samples.</source>
-        <translation>Le chemin est prouvé sans pénétration : la pièce garde le jeu exigé à toutes les autres pièces à chaque instant du mouvement, et non seulement à des échantillons.</translation>
+        <translation>Le chemin est prouvé sans pénétration&#xa0;: la pièce garde le jeu exigé à toutes les autres pièces à chaque instant du mouvement, et non seulement à des échantillons.</translation>
     </message>
     <message>
         <source>Proved clearance</source>
@@ -10588,7 +10512,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Distances of triangles to the nearest part at places of the path; the smallest is %1 to %2.</source>
-        <translation>Distances des triangles à la pièce la plus proche à des endroits du chemin ; la plus petite est %1 à %2.</translation>
+        <translation>Distances des triangles à la pièce la plus proche à des endroits du chemin&#xa0;; la plus petite est %1 à %2.</translation>
     </message>
     <message>
         <source>share of the path, %</source>
@@ -10664,7 +10588,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Every motion is certified: the part keeps its clearance from all parts that are there, on all of its way.</source>
-        <translation>Chaque mouvement est certifié : la pièce garde son jeu à toutes les pièces présentes, sur tout son chemin.</translation>
+        <translation>Chaque mouvement est certifié&#xa0;: la pièce garde son jeu à toutes les pièces présentes, sur tout son chemin.</translation>
     </message>
     <message>
         <source>The independent check agrees with %1 of %2 steps.</source>
@@ -10716,11 +10640,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Step %1 of %2: %3</source>
-        <translation>Étape %1 sur %2 : %3</translation>
+        <translation>Étape %1 sur %2&#xa0;: %3</translation>
     </message>
     <message>
         <source>Steps %1 to %2 of %3: %4</source>
-        <translation>Étapes %1 à %2 sur %3 : %4</translation>
+        <translation>Étapes %1 à %2 sur %3&#xa0;: %4</translation>
     </message>
     <message>
         <source>%1 on its way</source>
@@ -10756,7 +10680,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>%1 times: %2</source>
-        <translation>%1 fois : %2</translation>
+        <translation>%1 fois&#xa0;: %2</translation>
     </message>
     <message>
         <source>none</source>
@@ -10840,19 +10764,19 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>demanded before it: %1</source>
-        <translation>exigés avant elle : %1</translation>
+        <translation>exigés avant elle&#xa0;: %1</translation>
     </message>
     <message>
         <source>nuts still on it: %1</source>
-        <translation>écrous encore dessus : %1</translation>
+        <translation>écrous encore dessus&#xa0;: %1</translation>
     </message>
     <message>
         <source>falling: %1</source>
-        <translation>tombent : %1</translation>
+        <translation>tombent&#xa0;: %1</translation>
     </message>
     <message>
         <source>still joined to it: %1</source>
-        <translation>encore assemblés avec elle : %1</translation>
+        <translation>encore assemblés avec elle&#xa0;: %1</translation>
     </message>
     <message>
         <source>demanded at another place</source>
@@ -10988,7 +10912,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>is not &quot;glissade-study-run&quot;</source>
-        <translation>n&apos;est pas « glissade-study-run »</translation>
+        <translation>n&apos;est pas «&#xa0;glissade-study-run&#xa0;»</translation>
     </message>
     <message>
         <source>is not a status</source>
@@ -10996,7 +10920,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>cannot be made: %1</source>
-        <translation>ne peut pas être créé : %1</translation>
+        <translation>ne peut pas être créé&#xa0;: %1</translation>
     </message>
     <message>
         <source>Choose another --out.</source>
@@ -11040,7 +10964,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>The same run must end the same everywhere: look for different builds of Glissade.</source>
-        <translation>Le même essai doit finir partout de la même façon : cherchez des versions différentes de Glissade.</translation>
+        <translation>Le même essai doit finir partout de la même façon&#xa0;: cherchez des versions différentes de Glissade.</translation>
     </message>
     <message>
         <source>is of another study, version or size than %1</source>
@@ -11052,11 +10976,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>has no &apos;%1&apos;</source>
-        <translation>n&apos;a pas de « %1 »</translation>
+        <translation>n&apos;a pas de «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>is not &quot;glissade-study-plan&quot;</source>
-        <translation>n&apos;est pas « glissade-study-plan »</translation>
+        <translation>n&apos;est pas «&#xa0;glissade-study-plan&#xa0;»</translation>
     </message>
     <message>
         <source>%1 over %2</source>
@@ -11080,19 +11004,19 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Above each bar: success rate in %.</source>
-        <translation>Au-dessus de chaque barre : taux de réussite en %.</translation>
+        <translation>Au-dessus de chaque barre&#xa0;: taux de réussite en %.</translation>
     </message>
     <message>
         <source>Not on this axis: %1.</source>
-        <translation>Hors de cet axe : %1.</translation>
+        <translation>Hors de cet axe&#xa0;: %1.</translation>
     </message>
     <message>
         <source>%1: %2 (%3 to %4), %5 of %6 solved</source>
-        <translation>%1 : %2 (%3 à %4), %5 sur %6 résolus</translation>
+        <translation>%1&#xa0;: %2 (%3 à %4), %5 sur %6 résolus</translation>
     </message>
     <message>
         <source>%1, paper: %2</source>
-        <translation>%1, article : %2</translation>
+        <translation>%1, article&#xa0;: %2</translation>
     </message>
     <message>
         <source>paper</source>
@@ -11104,7 +11028,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>See &apos;glissade-cli plan --help&apos;; &apos;_&apos; stands for &apos;-&apos;.</source>
-        <translation>Voyez « glissade-cli plan --help » ; « _ » y remplace « - ».</translation>
+        <translation>Voyez «&#xa0;glissade-cli plan --help&#xa0;»&#xa0;; «&#xa0;_&#xa0;» y remplace «&#xa0;-&#xa0;».</translation>
     </message>
     <message>
         <source>is a limit</source>
@@ -11112,11 +11036,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Move it to &quot;limits&quot;.</source>
-        <translation>Déplacez-le dans « limits ».</translation>
+        <translation>Déplacez-le dans «&#xa0;limits&#xa0;».</translation>
     </message>
     <message>
         <source>is not &quot;glissade-study&quot;</source>
-        <translation>n&apos;est pas « glissade-study »</translation>
+        <translation>n&apos;est pas «&#xa0;glissade-study&#xa0;»</translation>
     </message>
     <message>
         <source>strategy</source>
@@ -11144,11 +11068,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>is not a column of &quot;paper&quot;</source>
-        <translation>n&apos;est pas une colonne de « paper »</translation>
+        <translation>n&apos;est pas une colonne de «&#xa0;paper&#xa0;»</translation>
     </message>
     <message>
         <source>Use one of: %1.</source>
-        <translation>Utilisez l&apos;une de ces valeurs : %1.</translation>
+        <translation>Utilisez l&apos;une de ces valeurs&#xa0;: %1.</translation>
     </message>
     <message>
         <source>row</source>
@@ -11164,7 +11088,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Say &quot;none&quot;.</source>
-        <translation>Indiquez « none ».</translation>
+        <translation>Indiquez «&#xa0;none&#xa0;».</translation>
     </message>
     <message>
         <source>is a sequence without a time limit</source>
@@ -11172,7 +11096,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Give time_limit under &quot;limits&quot;.</source>
-        <translation>Donnez time_limit sous « limits ».</translation>
+        <translation>Donnez time_limit sous «&#xa0;limits&#xa0;».</translation>
     </message>
     <message>
         <source>is a sequence, which has no parameter %1</source>
@@ -11188,7 +11112,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Add &quot;scenarios&quot;.</source>
-        <translation>Ajoutez « scenarios ».</translation>
+        <translation>Ajoutez «&#xa0;scenarios&#xa0;».</translation>
     </message>
     <message>
         <source>has no strategy</source>
@@ -11196,7 +11120,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Add &quot;strategies&quot;.</source>
-        <translation>Ajoutez « strategies ».</translation>
+        <translation>Ajoutez «&#xa0;strategies&#xa0;».</translation>
     </message>
     <message>
         <source>has no seeds</source>
@@ -11204,7 +11128,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Add &quot;seeds&quot;.</source>
-        <translation>Ajoutez « seeds ».</translation>
+        <translation>Ajoutez «&#xa0;seeds&#xa0;».</translation>
     </message>
     <message>
         <source>may run for ever</source>
@@ -11212,7 +11136,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Give time_limit, max_steps or max_samples under &quot;limits&quot;.</source>
-        <translation>Donnez time_limit, max_steps ou max_samples sous « limits ».</translation>
+        <translation>Donnez time_limit, max_steps ou max_samples sous «&#xa0;limits&#xa0;».</translation>
     </message>
     <message>
         <source>Study</source>
@@ -11264,15 +11188,15 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>The whole study, from the folder of its file:</source>
-        <translation>Toute l&apos;étude, depuis le dossier de son fichier :</translation>
+        <translation>Toute l&apos;étude, depuis le dossier de son fichier&#xa0;:</translation>
     </message>
     <message>
         <source>The first run of each cell, from the same folder; the others differ in their --seed only:</source>
-        <translation>Le premier essai de chaque cellule, depuis le même dossier ; les autres n&apos;en diffèrent que par --seed :</translation>
+        <translation>Le premier essai de chaque cellule, depuis le même dossier&#xa0;; les autres n&apos;en diffèrent que par --seed&#xa0;:</translation>
     </message>
     <message>
         <source>After: %1.</source>
-        <translation>D&apos;après : %1.</translation>
+        <translation>D&apos;après&#xa0;: %1.</translation>
     </message>
     <message>
         <source>What was run</source>
@@ -11304,11 +11228,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Seconds and memory are those of the machines that carried out the runs; they differ from machine to machine, and of what stands above only what names them depends on them. This report was written on %1.</source>
-        <translation>Les secondes et la mémoire sont celles des machines qui ont fait les essais ; elles diffèrent d&apos;une machine à l&apos;autre, et de ce qui précède seul ce qui les nomme en dépend. Ce rapport a été écrit sur : %1.</translation>
+        <translation>Les secondes et la mémoire sont celles des machines qui ont fait les essais&#xa0;; elles diffèrent d&apos;une machine à l&apos;autre, et de ce qui précède seul ce qui les nomme en dépend. Ce rapport a été écrit sur&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Ours: median or mean as the column says, quartiles in brackets; success with Wilson&apos;s 95 % interval.</source>
-        <translation>Le nôtre : médiane ou moyenne selon la colonne, quartiles entre parenthèses ; réussite avec l&apos;intervalle de Wilson à 95 %.</translation>
+        <translation>Le nôtre&#xa0;: médiane ou moyenne selon la colonne, quartiles entre parenthèses&#xa0;; réussite avec l&apos;intervalle de Wilson à 95 %.</translation>
     </message>
     <message>
         <source>Row</source>
@@ -11336,7 +11260,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Each compares every pair of cells that it speaks of; the numbers are of the pair that speaks most against it.</source>
-        <translation>Chacun compare toutes les paires de cellules dont il parle ; les nombres sont ceux de la paire qui le contredit le plus.</translation>
+        <translation>Chacun compare toutes les paires de cellules dont il parle&#xa0;; les nombres sont ceux de la paire qui le contredit le plus.</translation>
     </message>
     <message>
         <source>Finding</source>
@@ -11452,27 +11376,27 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Table I: influence of α without contact, environment 1</source>
-        <translation>Tableau I : influence de α sans contact, environnement 1</translation>
+        <translation>Tableau I&#xa0;: influence de α sans contact, environnement 1</translation>
     </message>
     <message>
         <source>Table II: influence of α with contact, environment 1</source>
-        <translation>Tableau II : influence de α avec contact, environnement 1</translation>
+        <translation>Tableau II&#xa0;: influence de α avec contact, environnement 1</translation>
     </message>
     <message>
         <source>Table III: influence of the number of contact samples N, environment 1</source>
-        <translation>Tableau III : influence du nombre N d&apos;échantillons de contact, environnement 1</translation>
+        <translation>Tableau III&#xa0;: influence du nombre N d&apos;échantillons de contact, environnement 1</translation>
     </message>
     <message>
         <source>Table IV: influence of the contact distance d, environment 1</source>
-        <translation>Tableau IV : influence de la distance de contact d, environnement 1</translation>
+        <translation>Tableau IV&#xa0;: influence de la distance de contact d, environnement 1</translation>
     </message>
     <message>
         <source>Table V: influence of α with contact, environment 2</source>
-        <translation>Tableau V : influence de α avec contact, environnement 2</translation>
+        <translation>Tableau V&#xa0;: influence de α avec contact, environnement 2</translation>
     </message>
     <message>
         <source>Figure 14: strategies on the shape game</source>
-        <translation>Figure 14 : stratégies sur le jeu de formes</translation>
+        <translation>Figure 14&#xa0;: stratégies sur le jeu de formes</translation>
     </message>
     <message>
         <source>Figure 14 on the roomier shape game</source>
@@ -11516,7 +11440,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Small α is slow without contact: α = 0.3 to 0.1 take more than twice the time of α = 0.95 to 0.4.</source>
-        <translation>Sans contact un petit α est lent : α = 0.3 à 0.1 prennent plus de deux fois le temps de α = 0.95 à 0.4.</translation>
+        <translation>Sans contact un petit α est lent&#xa0;: α = 0.3 à 0.1 prennent plus de deux fois le temps de α = 0.95 à 0.4.</translation>
     </message>
     <message>
         <source>α = 0.95 is the fastest row.</source>
@@ -11524,7 +11448,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>With contact small α is fast: α = 0.2 to 0.01 need fewer nodes than α = 0.8 and 0.5.</source>
-        <translation>Avec contact un petit α est rapide : α = 0.2 à 0.01 demandent moins de nœuds que α = 0.8 et 0.5.</translation>
+        <translation>Avec contact un petit α est rapide&#xa0;: α = 0.2 à 0.01 demandent moins de nœuds que α = 0.8 et 0.5.</translation>
     </message>
     <message>
         <source>α = 0.08 is the fastest row.</source>
@@ -11536,11 +11460,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>N has little influence on environment 1: within a factor of four in time.</source>
-        <translation>N a peu d&apos;influence sur l&apos;environnement 1 : moins d&apos;un facteur quatre en temps.</translation>
+        <translation>N a peu d&apos;influence sur l&apos;environnement 1&#xa0;: moins d&apos;un facteur quatre en temps.</translation>
     </message>
     <message>
         <source>N has little influence on environment 1: within a factor of two in nodes.</source>
-        <translation>N a peu d&apos;influence sur l&apos;environnement 1 : moins d&apos;un facteur deux en nœuds.</translation>
+        <translation>N a peu d&apos;influence sur l&apos;environnement 1&#xa0;: moins d&apos;un facteur deux en nœuds.</translation>
     </message>
     <message>
         <source>N = 5 is the fastest row.</source>
@@ -11548,11 +11472,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>d has little influence on environment 1: within a factor of two in time.</source>
-        <translation>d a peu d&apos;influence sur l&apos;environnement 1 : moins d&apos;un facteur deux en temps.</translation>
+        <translation>d a peu d&apos;influence sur l&apos;environnement 1&#xa0;: moins d&apos;un facteur deux en temps.</translation>
     </message>
     <message>
         <source>d has little influence on environment 1: within a factor of 1.2 in nodes.</source>
-        <translation>d a peu d&apos;influence sur l&apos;environnement 1 : moins d&apos;un facteur 1.2 en nœuds.</translation>
+        <translation>d a peu d&apos;influence sur l&apos;environnement 1&#xa0;: moins d&apos;un facteur 1.2 en nœuds.</translation>
     </message>
     <message>
         <source>The BiRRT alone finds no path.</source>
@@ -11568,7 +11492,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Extremes of α are worse: α = 0.98, 0.95 and 0.05 take longer than any between.</source>
-        <translation>Les extrêmes de α sont moins bons : α = 0.98, 0.95 et 0.05 prennent plus de temps que tous les autres entre eux.</translation>
+        <translation>Les extrêmes de α sont moins bons&#xa0;: α = 0.98, 0.95 et 0.05 prennent plus de temps que tous les autres entre eux.</translation>
     </message>
     <message>
         <source>α = 0, the operator alone, finds no path.</source>
@@ -11584,7 +11508,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>GT fails where the nearest hole does not fit: circle, square, star.</source>
-        <translation>GT échoue là où le trou le plus proche ne convient pas : cercle, carré, étoile.</translation>
+        <translation>GT échoue là où le trou le plus proche ne convient pas&#xa0;: cercle, carré, étoile.</translation>
     </message>
     <message>
         <source>GTS1 fails on the star, which has no hole of its shape.</source>
@@ -11604,39 +11528,39 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>α is the share of the computer; α = 1 is the plain BiRRT, without any operator. Lockstep at 40 planner steps a second of the operator&apos;s time, as fast as the paper&apos;s planner with him.</source>
-        <translation>α est la part de l&apos;ordinateur ; α = 1 est le BiRRT simple, sans aucun opérateur. Pas à pas, 40 pas du planificateur par seconde de l&apos;opérateur : l&apos;allure du planificateur de l&apos;article avec lui.</translation>
+        <translation>α est la part de l&apos;ordinateur&#xa0;; α = 1 est le BiRRT simple, sans aucun opérateur. Pas à pas, 40 pas du planificateur par seconde de l&apos;opérateur&#xa0;: l&apos;allure du planificateur de l&apos;article avec lui.</translation>
     </message>
     <message>
         <source>As table I, with contact sampling near obstacles (N = 10, d = 0.15 m). Lockstep at 40 planner steps a second of the operator&apos;s time, as fast as the paper&apos;s planner with him.</source>
-        <translation>Comme le tableau I, avec échantillonnage au contact près des obstacles (N = 10, d = 0.15 m). Pas à pas, 40 pas du planificateur par seconde de l&apos;opérateur : l&apos;allure du planificateur de l&apos;article avec lui.</translation>
+        <translation>Comme le tableau I, avec échantillonnage au contact près des obstacles (N = 10, d = 0.15 m). Pas à pas, 40 pas du planificateur par seconde de l&apos;opérateur&#xa0;: l&apos;allure du planificateur de l&apos;article avec lui.</translation>
     </message>
     <message>
         <source>α = 0.2, d = 0.15 m. Lockstep at 40 planner steps a second of the operator&apos;s time, as fast as the paper&apos;s planner with him.</source>
-        <translation>α = 0.2, d = 0.15 m. Pas à pas, 40 pas du planificateur par seconde de l&apos;opérateur : l&apos;allure du planificateur de l&apos;article avec lui.</translation>
+        <translation>α = 0.2, d = 0.15 m. Pas à pas, 40 pas du planificateur par seconde de l&apos;opérateur&#xa0;: l&apos;allure du planificateur de l&apos;article avec lui.</translation>
     </message>
     <message>
         <source>α = 0.2, N = 5. Lockstep at 40 planner steps a second of the operator&apos;s time, as fast as the paper&apos;s planner with him.</source>
-        <translation>α = 0.2, N = 5. Pas à pas, 40 pas du planificateur par seconde de l&apos;opérateur : l&apos;allure du planificateur de l&apos;article avec lui.</translation>
+        <translation>α = 0.2, N = 5. Pas à pas, 40 pas du planificateur par seconde de l&apos;opérateur&#xa0;: l&apos;allure du planificateur de l&apos;article avec lui.</translation>
     </message>
     <message>
         <source>N = 10, d = 0.15 m; with what section III.G says of the plain BiRRT, of no contact and of α = 0. Lockstep at 40 planner steps a second of the operator&apos;s time, as fast as the paper&apos;s planner with him.</source>
-        <translation>N = 10, d = 0.15 m ; avec ce que dit la section III.G du BiRRT simple, de l&apos;absence de contact et de α = 0. Pas à pas, 40 pas du planificateur par seconde de l&apos;opérateur : l&apos;allure du planificateur de l&apos;article avec lui.</translation>
+        <translation>N = 10, d = 0.15 m&#xa0;; avec ce que dit la section III.G du BiRRT simple, de l&apos;absence de contact et de α = 0. Pas à pas, 40 pas du planificateur par seconde de l&apos;opérateur&#xa0;: l&apos;allure du planificateur de l&apos;article avec lui.</translation>
     </message>
     <message>
         <source>Preset &quot;tight&quot;, the limits of section 6.1: 100,000 random configurations a topological step, 2,000 a border, 1,000,000 for G. GTS is ours: computed compatibility, scores, a loop.</source>
-        <translation>Variante « tight », limites de la section 6.1 : 100 000 configurations aléatoires par étape topologique, 2 000 par frontière, 1 000 000 pour G. GTS est la nôtre : compatibilité calculée, notes, boucle.</translation>
+        <translation>Variante «&#xa0;tight », limites de la section 6.1&#xa0;: 100 000 configurations aléatoires par étape topologique, 2 000 par frontière, 1 000 000 pour G. GTS est la nôtre&#xa0;: compatibilité calculée, notes, boucle.</translation>
     </message>
     <message>
         <source>Preset &quot;paper-like&quot;: wider holes, as the drawings of the paper suggest. The limits of section 6.1.</source>
-        <translation>Variante « paper-like » : trous plus larges, comme le suggèrent les dessins de l&apos;article. Limites de la section 6.1.</translation>
+        <translation>Variante «&#xa0;paper-like&#xa0;»&#xa0;: trous plus larges, comme le suggèrent les dessins de l&apos;article. Limites de la section 6.1.</translation>
     </message>
     <message>
         <source>printed as 2h45m</source>
-        <translation>imprimé « 2h45m »</translation>
+        <translation>imprimé «&#xa0;2h45m&#xa0;»</translation>
     </message>
     <message>
         <source>edges as printed; violates edges=2*nodes-2 (2566 expected); 1074 equals the alpha=0.08 row of Table II, so probably a copy error</source>
-        <translation>arêtes telles qu&apos;imprimées ; contredit arêtes = 2·nœuds − 2 (2566 attendues) ; 1074 est la ligne α = 0.08 du tableau II, donc sans doute une erreur de copie</translation>
+        <translation>arêtes telles qu&apos;imprimées&#xa0;; contredit arêtes = 2·nœuds − 2 (2566 attendues)&#xa0;; 1074 est la ligne α = 0.08 du tableau II, donc sans doute une erreur de copie</translation>
     </message>
     <message>
         <source>fastest row</source>
@@ -11644,7 +11568,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>printed as 2h45m; same run as Table I (alpha=1 never enters contact)</source>
-        <translation>imprimé « 2h45m » ; même essai qu&apos;au tableau I (α = 1 n&apos;entre jamais en contact)</translation>
+        <translation>imprimé «&#xa0;2h45m&#xa0;»&#xa0;; même essai qu&apos;au tableau I (α = 1 n&apos;entre jamais en contact)</translation>
     </message>
     <message>
         <source>one edge pair short of 2*nodes-2 (3456)</source>
@@ -11700,11 +11624,11 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>Five rigid-body problems of OMPL.app, which are not part of Glissade: they are looked for in shared/problems/omplapp beside its folder. OMPL&apos;s planners run as OMPL&apos;s users run them: its metric and defaults, collisions by FCL, edges looked at every 1 % or 0.1 % of the extent, the range its default (20 % of the extent), 3 % or 1 %. Our certificate judges their paths; one that it refuses (not-certified) is not solved. Seconds are of the processor, but auto, which plans in lanes, is held to what one waits; over all runs: one that was not solved counts with the time it had.</source>
-        <translation>Cinq problèmes de corps rigides d&apos;OMPL.app, qui ne font pas partie de Glissade : on les cherche dans shared/problems/omplapp à côté de son dossier. Les planificateurs d&apos;OMPL tournent comme chez leurs utilisateurs : métrique et valeurs par défaut d&apos;OMPL, collisions par FCL, arêtes regardées tous les 1 % ou 0,1 % de l&apos;étendue, portée par défaut (20 % de l&apos;étendue), 3 % ou 1 %. Notre certificat juge leurs chemins ; celui qu&apos;il refuse (non certifié) n&apos;est pas résolu. Les secondes sont celles du processeur, mais auto, qui planifie sur plusieurs voies, est jugé au temps d&apos;attente ; sur tous les essais : un essai non résolu compte avec le temps qu&apos;il a eu.</translation>
+        <translation>Cinq problèmes de corps rigides d&apos;OMPL.app, qui ne font pas partie de Glissade&#xa0;: on les cherche dans shared/problems/omplapp à côté de son dossier. Les planificateurs d&apos;OMPL tournent comme chez leurs utilisateurs&#xa0;: métrique et valeurs par défaut d&apos;OMPL, collisions par FCL, arêtes regardées tous les 1 % ou 0,1 % de l&apos;étendue, portée par défaut (20 % de l&apos;étendue), 3 % ou 1 %. Notre certificat juge leurs chemins&#xa0;; celui qu&apos;il refuse (non certifié) n&apos;est pas résolu. Les secondes sont celles du processeur, mais auto, qui planifie sur plusieurs voies, est jugé au temps d&apos;attente&#xa0;; sur tous les essais&#xa0;: un essai non résolu compte avec le temps qu&apos;il a eu.</translation>
     </message>
     <message>
         <source>Problems nobody here wrote: auto beside OMPL&apos;s planners</source>
-        <translation>Des problèmes que personne ici n&apos;a écrits : auto à côté des planificateurs d&apos;OMPL</translation>
+        <translation>Des problèmes que personne ici n&apos;a écrits&#xa0;: auto à côté des planificateurs d&apos;OMPL</translation>
     </message>
     <message>
         <source>Problems of our own making: auto beside OMPL&apos;s planners</source>
@@ -11756,27 +11680,27 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>BiRRT alone, one run: 2 h 45 (paper 1, table I)</source>
-        <translation>BiRRT seul, un essai : 2 h 45 (article 1, tableau I)</translation>
+        <translation>BiRRT seul, un essai&#xa0;: 2 h 45 (article 1, tableau I)</translation>
     </message>
     <message>
         <source>BiRRT alone: nothing in a night; a person with contact: 61 s (paper 1, table V)</source>
-        <translation>BiRRT seul : rien en une nuit ; une personne avec contact : 61 s (article 1, tableau V)</translation>
+        <translation>BiRRT seul&#xa0;: rien en une nuit&#xa0;; une personne avec contact&#xa0;: 61 s (article 1, tableau V)</translation>
     </message>
     <message>
         <source>Environment 1: a median of 0.2 s at most.</source>
-        <translation>Environnement 1 : une médiane de 0,2 s au plus.</translation>
+        <translation>Environnement 1&#xa0;: une médiane de 0,2 s au plus.</translation>
     </message>
     <message>
         <source>Environment 2: a median of 3 s at most.</source>
-        <translation>Environnement 2 : une médiane de 3 s au plus.</translation>
+        <translation>Environnement 2&#xa0;: une médiane de 3 s au plus.</translation>
     </message>
     <message>
         <source>Environments 1 and 2: faster than our BiRRT and than OMPL&apos;s planners.</source>
-        <translation>Environnements 1 et 2 : plus rapide que notre BiRRT et que les planificateurs d&apos;OMPL.</translation>
+        <translation>Environnements 1 et 2&#xa0;: plus rapide que notre BiRRT et que les planificateurs d&apos;OMPL.</translation>
     </message>
     <message>
         <source>Strategy auto without an operator, beside other planners: our BiRRT, GTS on the pump, and unmodified OMPL (edges looked at every 0.1 % of the extent). Seconds are of the processor, but what is asked of auto alone and beside GTS is what one waits; over all runs: one that was not solved counts with the time it had. A path of OMPL&apos;s counts as solved where our certificate holds.</source>
-        <translation>Stratégie auto sans opérateur, à côté d&apos;autres planificateurs : notre BiRRT, GTS sur la pompe, et OMPL non modifié (arêtes regardées tous les 0,1 % de l&apos;étendue). Les secondes sont celles du processeur, mais ce qui est demandé à auto seul et à côté de GTS est le temps d&apos;attente ; sur tous les essais : un essai non résolu compte avec le temps qu&apos;il a eu. Un chemin d&apos;OMPL compte comme résolu là où notre certificat tient.</translation>
+        <translation>Stratégie auto sans opérateur, à côté d&apos;autres planificateurs&#xa0;: notre BiRRT, GTS sur la pompe, et OMPL non modifié (arêtes regardées tous les 0,1 % de l&apos;étendue). Les secondes sont celles du processeur, mais ce qui est demandé à auto seul et à côté de GTS est le temps d&apos;attente&#xa0;; sur tous les essais&#xa0;: un essai non résolu compte avec le temps qu&apos;il a eu. Un chemin d&apos;OMPL compte comme résolu là où notre certificat tient.</translation>
     </message>
     <message>
         <source>The automatic planner on our samples</source>
@@ -11784,7 +11708,7 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     </message>
     <message>
         <source>The pump: ten times faster than GTS.</source>
-        <translation>La pompe : dix fois plus rapide que GTS.</translation>
+        <translation>La pompe&#xa0;: dix fois plus rapide que GTS.</translation>
     </message>
     <message>
         <source>auto solves every run, with a certified path.</source>
@@ -11877,6 +11801,26 @@ ses solides est un corps. #3 est la troisième pièce que « info » liste. Un
     <message>
         <source>Give a length as 0.5mm.</source>
         <translation>Donnez une longueur, comme 0.5mm.</translation>
+    </message>
+    <message>
+        <source>nothing leaves: every body stays, or a joint holds it to one that stays. See &apos;glissade-cli joints&apos;, and dissolve a joint in a scenario.</source>
+        <translation>rien ne part : chaque corps reste, ou un assemblage le lie à un corps qui reste. Voyez « glissade-cli joints », et dissolvez un assemblage dans un scénario.</translation>
+    </message>
+    <message>
+        <source>Name the one that is cut (--cut &quot;%1&quot; or --cut &quot;%2&quot;), or mend the parts.</source>
+        <translation>Nommez celui qui est découpé (--cut &quot;%1&quot; ou --cut &quot;%2&quot;), ou corrigez les pièces.</translation>
+    </message>
+    <message>
+        <source>it is larger than inserts are, and may be screwed in</source>
+        <translation>il est plus grand que les inserts, et est peut-être vissé</translation>
+    </message>
+    <message>
+        <source>the clash of it and &apos;%1&apos; (%2) is accepted, and which of the two is cut is not clear: name the one that is cut (--cut &quot;%3&quot; or --cut &quot;%1&quot;)</source>
+        <translation>sa collision avec « %1 » (%2) est acceptée, et il n&apos;est pas clair laquelle des deux pièces est découpée : nommez celle qui est découpée (--cut &quot;%3&quot; ou --cut &quot;%1&quot;)</translation>
+    </message>
+    <message>
+        <source>the clash of it and &apos;%1&apos; (%2) is accepted, and neither can be cut and stay in one piece: mend the parts</source>
+        <translation>sa collision avec « %1 » (%2) est acceptée, et aucune des deux ne peut être découpée et rester d&apos;un seul tenant : corrigez les pièces</translation>
     </message>
 </context>
 <context>

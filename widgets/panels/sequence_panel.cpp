@@ -221,7 +221,8 @@ QString SequencePanel::summary() const {
   switch (plan.end) {
     case PlanEnd::Complete: break;
     case PlanEnd::Stuck:
-      text += QLatin1Char(' ') + tr("%n stuck.", "", static_cast<int>(plan.parts() - plan.removed()));
+      if (plan.parts() > 0)
+        text += QLatin1Char(' ') + tr("%n stuck.", "", static_cast<int>(plan.parts() - plan.removed()));
       break;
     case PlanEnd::TimeLimit: text += QLatin1Char(' ') + tr("The time limit was reached."); break;
     case PlanEnd::Interrupted: text += QLatin1Char(' ') + tr("Stopped before the end."); break;

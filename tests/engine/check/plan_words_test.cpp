@@ -10,6 +10,7 @@
 #include "engine/check/verdict_report.h"
 #include "engine/planning/screw_motion.h"
 #include "engine/scenario/judged_product.h"
+#include "engine/sequence/sequence_run.h"
 #include "tests/engine/product/screwed_parts.h"
 #include "tests/engine/sequence/products.h"
 
@@ -233,6 +234,41 @@ TEST(PlanWords, AnUnusualPitchOrHandIsACondition) {
   for (RigidBody& body : product.bodies) body.name += " M10 LH";
   EXPECT_EQ(conditionsOf(-test::kCoarsePitch), "") << "the names say so";
   EXPECT_THAT(conditionsOf(test::kCoarsePitch), HasSubstr("is right-handed, although a name says left-handed"));
+}
+
+/// Two crossing bars without notches: the plan brings the acceptance of their clash and the body that is cut.
+TEST(PlanWords, AnAcceptedClashAndTheBodyThatIsCutAreConditions) {
+  AssembledProduct product =
+      test::productOf({test::partAt("along", makeBox({0.1, 0.01, 0.01}), Pose::identity()),
+                       test::partAt("across", makeBox({0.01, 0.1, 0.01}), Pose::translation({0.0, 0.0, 0.004}))},
+                      true);
+  const auto says = [&](double accepted, const std::vector<std::string>& cut) {
+    product.fits.acceptedClash = accepted;
+    product.fits.cut = cut;
+  };
+  says(0.006, {"across"});
+  test::QuietHost host;
+  SequenceRequest request{{true, false}};
+  const auto plan = planSequence(product, test::fitsOf(product), request, host);
+  ASSERT_TRUE(plan);
+  ASSERT_EQ(plan->steps.size(), 1U);
+  const auto conditionsOf = [&] {
+    const check::PlanVerdict verdict = judgePlan(*plan, product, std::nullopt);
+    std::vector<std::string> texts;
+    for (const check::Condition& each : verdict.allConditions()) texts.push_back(toString(each.text));
+    if (!verdict.valid()) texts = {"not valid"};
+    return texts;
+  };
+  const std::string cut = "'across' is the one that is cut (--cut \"across\")";
+  EXPECT_THAT(conditionsOf(), testing::IsEmpty());
+  says(0.006, {});
+  EXPECT_THAT(conditionsOf(), ElementsAre(cut));
+  says(0.0, {"across"});
+  EXPECT_THAT(conditionsOf(), ElementsAre(HasSubstr("--accept-clashes 6mm")));
+  says(0.0, {});
+  EXPECT_THAT(conditionsOf(), ElementsAre(cut, HasSubstr("--accept-clashes 6mm")));
+  says(0.006, {"along"});
+  EXPECT_THAT(conditionsOf(), ElementsAre("not valid")) << "a person names the other one";
 }
 
 /// Values from the standards ISO 261, ASME B1.1 and ISO 1478, independent of the engine.

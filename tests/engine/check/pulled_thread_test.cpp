@@ -194,6 +194,21 @@ TEST(PulledThread, AFewVerticesAreNoHelix) {
   }
 }
 
+/// The work is bounded: pitches are tried with some of the crests, and a stop ends it.
+TEST(PulledThread, ManyCrestsStateThePitchOfAFew) {
+  using namespace glissade::test;
+  const RoundFace wall{Vector3::Zero(), Vector3::UnitZ(), 0.0044, false, -0.02, 0.0};
+  for (const int directions : {60, 1440}) {
+    const TriangleMesh shaft = groovedShaft(helix(0.005, 0.004, 0.0015), 0.02, 0.005, ShaftHead::None, directions);
+    const auto crests = crestsInto(wall, shaft);
+    ASSERT_TRUE(crests) << directions;
+    EXPECT_NEAR(crests->pitch, 0.0015, 1e-5) << directions;
+    StopSource source;
+    source.requestStop();
+    EXPECT_FALSE(crestsInto(wall, shaft, source.token())) << directions;
+  }
+}
+
 /// A plain neck in a cap with a modelled thread.
 TEST(PulledThread, AHelixInTheHoleIsAThread) {
   using namespace glissade::test;

@@ -141,9 +141,26 @@ TEST(StepImport, NamesAreReadInTheEncodingsThatProgramsWrite) {
     EXPECT_THAT(pathsOf(product->parts), testing::Contains(each.name));
     ASSERT_EQ(product->warnings.size(), each.encoding.empty() ? 0U : 1U);
     if (each.encoding.empty()) continue;
-    EXPECT_THAT(toString(product->warnings[0].reason), testing::HasSubstr("read as " + each.encoding + ": '" + each.name + "'"));
+    EXPECT_THAT(toString(product->warnings[0].reason),
+                testing::HasSubstr("read as " + each.encoding + ": '" + each.name + "'"));
     EXPECT_EQ(toString(product->warnings[0].reason).find("cannot be told") == std::string::npos, each.isSure);
   }
+}
+
+/// A program cuts a long name in UTF-8 within a character; such names say nothing of the encoding of the others.
+TEST(StepImport, ANameThatIsCutIsNoOtherEncoding) {
+  const auto product = productWithBoltCalled("\xE6\x9C");
+  ASSERT_TRUE(product) << toString(product.error());
+  EXPECT_TRUE(product->warnings.empty());
+  EXPECT_THAT(pathsOf(product->parts), testing::Contains("\uFFFD"));
+  std::string text = stepText("fits.step");
+  const std::size_t name = text.find('\'', text.find("FILE_NAME"));
+  text.replace(name + 1, text.find('\'', name + 1) - name - 1, "\xD7\xB0\xC5\xE4\xCC\xE5.STEP");
+  text.replace(text.find("'bolt'"), 6, "'\xE4\xBB'");
+  const auto headed = importStep(FileContent{"names.step", text}, 0.0);
+  ASSERT_TRUE(headed) << toString(headed.error());
+  ASSERT_EQ(headed->warnings.size(), 1U);
+  EXPECT_THAT(toString(headed->warnings[0].reason), testing::HasSubstr("read as GB18030: '\u88c5\u914d\u4f53.STEP'"));
 }
 
 TEST(StepImport, ProductsOfAnAssemblyLieWhereItHasThem) {
@@ -239,7 +256,8 @@ TEST(StepImport, AnIgesSheetIsOpenAndThatIsSaid) {
   const auto product = importStep(stepFile("sheet.igs"), 0.0);
   ASSERT_TRUE(product) << toString(product.error());
   ASSERT_EQ(product->warnings.size(), 1U);
-  EXPECT_EQ(toString(product->warnings[0].reason), "is no solid: its faces (1) bound nothing, 4 of their edges are open");
+  EXPECT_EQ(toString(product->warnings[0].reason),
+            "is no solid: its faces (1) bound nothing, 4 of their edges are open");
 }
 
 TEST(StepImport, ASheetIsAPartThatIsNotClosedAndThatIsSaid) {
@@ -249,14 +267,16 @@ TEST(StepImport, ASheetIsAPartThatIsNotClosedAndThatIsSaid) {
   EXPECT_FALSE(audit(*product->parts[0].mesh).closed());
   EXPECT_EQ(product->parts[0].mesh->triangles.size(), 2U);
   ASSERT_EQ(product->warnings.size(), 1U);
-  EXPECT_EQ(toString(product->warnings[0].reason), "is no solid: its faces (1) bound nothing, 4 of their edges are open");
+  EXPECT_EQ(toString(product->warnings[0].reason),
+            "is no solid: its faces (1) bound nothing, 4 of their edges are open");
 }
 
 TEST(StepImport, PartsWithoutAnInsideAndLonelyCurvesAreNamed) {
   const auto product = importStep(stepFile("odd-shapes.step"), 0.0);
   ASSERT_TRUE(product);
   std::vector<std::string> said;
-  for (const Diagnostic& warning : product->warnings) said.push_back(toString(warning.location) + ": " + toString(warning.reason));
+  for (const Diagnostic& warning : product->warnings)
+    said.push_back(toString(warning.location) + ": " + toString(warning.reason));
   EXPECT_THAT(said, testing::UnorderedElementsAre(
                         "part 'sheets': is no solid: its faces (2) bound nothing, 8 of their edges are open",
                         "part 'wired': has curves that lie on no face (3): they are left out",

@@ -108,6 +108,40 @@ TEST(JointFinder, ANutOnARodLeavesOverTheNearerEnd) {
   EXPECT_NEAR(nuts[0].thread->engaged, 0.008, 1e-4);
 }
 
+/// A nut M6 is drawn with its core, and its rod is not.
+TEST(JointFinder, ANutHasTheSizeOfItsRod) {
+  ProductOfParts parts;
+  parts.add("rod", rodMesh(0.003, -0.05, 0.05)).add("nut", tubeMesh(circle(0.00246), prism(0.01, 6), 0.02, 0.0255));
+  const auto nuts = ofKind(findJoints(parts.product()), JointKind::Nut);
+  ASSERT_EQ(nuts.size(), 1U);
+  EXPECT_EQ(nuts[0].state, JointState::Recognised);
+  EXPECT_NEAR(nuts[0].thread->diameter, 0.006, 1e-5);
+  EXPECT_DOUBLE_EQ(nuts[0].thread->pitch, 0.001);
+}
+
+/// M58x1.5: a large ring that is thicker than its hole by a thread is screwed in. By more or less it is no thread, and
+/// only suggested as an insert.
+TEST(JointFinder, ALargeCapIsNoInsert) {
+  const auto jointsOfCap = [](double hole) {
+    ProductOfParts parts;
+    parts.add("housing", tubeMesh(circle(hole), circle(0.04), -0.03, 0.0))
+        .add("cap", tubeMesh(circle(0.02), circle(0.029), -0.012, 0.0));
+    return findJoints(parts.product());
+  };
+  const Joints screwed = jointsOfCap(0.028188);
+  ASSERT_EQ(screwed.size(), 1U);
+  EXPECT_EQ(screwed[0].kind, JointKind::Thread);
+  EXPECT_DOUBLE_EQ(screwed[0].thread->pitch, 0.0015);
+  EXPECT_THAT(toString(screwed[0].evidence.front()), testing::HasSubstr("1.62 mm thicker")) << "a diameter";
+  const Joints between = jointsOfCap(0.0285);
+  ASSERT_EQ(between.size(), 1U);
+  EXPECT_EQ(between[0].kind, JointKind::Insert);
+  EXPECT_EQ(between[0].state, JointState::Suggested);
+  const Joints pressed = jointsOfCap(0.02895);
+  ASSERT_EQ(pressed.size(), 1U);
+  EXPECT_EQ(pressed[0].state, JointState::Recognised) << "by a press fit";
+}
+
 /// The insert overlaps the plastic by 0.8 mm: no clash, and the screw does not clamp the plastic.
 TEST(JointFinder, AHeatSetInsertIsOneBodyWithItsHost) {
   RandomStream random(2, "joints");

@@ -21,6 +21,17 @@ TEST(ThreadPitch, ANominalSizeIsThatOfTheDiameterToAFewPercent) {
   EXPECT_EQ(nominalSize(0.2), "");
 }
 
+/// The hole is the core of the thread: 0.541 pitches deep by ISO 68-1.
+TEST(ThreadPitch, IsAFineOneWhereTheDepthIs) {
+  for (const auto& [radius, pitch, drawn] :
+       {std::tuple(0.003, 0.001, 0.001), std::tuple(0.029, 0.0015, 0.0015), std::tuple(0.005, 0.00125, 0.00125),
+        std::tuple(0.01, 0.0025, 0.0025), std::tuple(0.01, 0.001, 0.001)}) {
+    EXPECT_DOUBLE_EQ(pitchOfDepth(radius, 0.541 * drawn), pitch) << radius;
+  }
+  EXPECT_DOUBLE_EQ(pitchOfDepth(0.003, 0.00005), 0.001) << "of no thread";
+  EXPECT_TRUE(isThreadDepth(0.029, 0.541 * 0.0015)) << "M58x1.5";
+}
+
 TEST(ThreadPitch, WhatIsThickerByLessThanTheFinestThreadIsPressedIn) {
   EXPECT_TRUE(isThreadDepth(0.003, 0.0005)) << "M6 in its tap drill";
   EXPECT_TRUE(isThreadDepth(0.005, 0.0005)) << "M10x1 in its tap drill";

@@ -72,6 +72,29 @@ AssemblyPlan planOf(const AssembledProduct& product, const Joints& joints, const
   return std::move(*plan);
 }
 
+/// A rod without a head lets its nut off at either end.
+TEST(JointPlans, ANutLeavesByTheOtherEndWhereOneIsForbidden) {
+  const AssembledProduct product =
+      test::productOf({partOf("rod", test::makeRing(0.0, 0.0025, 0.03, 36), Vector3::Zero()),
+                       partOf("nut", test::makeRing(0.0026, 0.005, 0.004, 36), {0.0, 0.0, 0.009})});
+  Joint nut = screwIn(1, {0}, {});
+  nut.kind = JointKind::Nut;
+  nut.thread->travel = 0.008;
+  for (const double forbidden : {0.0, 1.0, -1.0}) {
+    test::QuietHost host;
+    SequenceRequest request{{true, false}};
+    const Joints joints{nut};
+    request.joints = &joints;
+    if (forbidden != 0.0) request.demands.forbidden = {{"nut", forbidden * Vector3::UnitZ()}};
+    const auto plan = planSequence(product, test::fitsOf(product), request, host);
+    ASSERT_TRUE(plan);
+    ASSERT_EQ(plan->steps.size(), 1U) << forbidden;
+    const std::vector<PathPoint>& path = plan->steps[0].path;
+    EXPECT_EQ(path.back().q.position.z() > path.front().q.position.z(), forbidden <= 0.0);
+    EXPECT_TRUE(judgePlan(*plan, product, std::nullopt, {}).valid()) << forbidden;
+  }
+}
+
 AssembledProduct boxesInARow(std::size_t count) {
   std::vector<RigidBody> bodies;
   for (std::size_t i = 0; i < count; ++i) {

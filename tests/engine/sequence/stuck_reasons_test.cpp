@@ -35,6 +35,28 @@ TEST(StuckReasons, AClashIsNamedWithTheOtherBodyAndItsDepth) {
   EXPECT_THAT(toString(plan.stuck[0].reason), HasSubstr("it and 'base' clash where they are assembled (5 mm)"));
 }
 
+TEST(StuckReasons, AnAcceptedClashNeedsTheNameOfTheBodyThatIsCut) {
+  const auto bar = [](const char* name, const Vector3& size, double height) {
+    return boxBody(name, size, Pose::translation({0.0, 0.0, height}));
+  };
+  AssembledProduct product =
+      test::productOf({bar("along", {0.1, 0.01, 0.01}, 0.0), bar("across", {0.01, 0.1, 0.01}, 0.004),
+                       boxBody("beside", {0.1, 0.1, 0.1}, Pose::translation({0.3, 0.0, 0.0}))},
+                      true);
+  product.fits.acceptedClash = 0.006;
+  const AssemblyPlan plan = plainPlanOf(product);
+  ASSERT_EQ(plan.stuck.size(), 1U);
+  EXPECT_THAT(toString(plan.stuck[0].reason), HasSubstr("(--cut \"across\" or --cut \"along\")"));
+}
+
+TEST(StuckReasons, NothingLeavesWhereEveryBodyStays) {
+  const AssembledProduct product = overlapping(0.0);
+  test::QuietHost host;
+  const auto plan = planSequence(product, test::fitsOf(product), SequenceRequest{{true, true, true}}, host);
+  ASSERT_TRUE(plan);
+  EXPECT_EQ(plan->end, PlanEnd::Stuck) << "the judge calls no such plan complete";
+}
+
 /// A part of a CAD file with a second solid that is apart.
 TEST(StuckReasons, APartOfSolidsThatDoNotTouchMayBeOpened) {
   for (const bool isOfCadFile : {true, false}) {

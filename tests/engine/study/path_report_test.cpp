@@ -58,7 +58,7 @@ TEST_F(PathReport, IsWhollyFrench) {
     EXPECT_NE(text.find(part), std::string::npos) << part;
   }
   for (const ParameterSpec& spec : parameterTable()) {
-    EXPECT_TRUE(hasFrench(spec.label.english)) << spec.label;
+    EXPECT_TRUE(hasFrench(spec.label.english)) << spec.label.english;
   }
   for (const char* part : {"Certificate", "Clearance", "Parameters", "Length"}) {
     EXPECT_EQ(text.find(part), std::string::npos) << part;
