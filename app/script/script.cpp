@@ -2,7 +2,6 @@
 
 #include <sstream>
 
-
 namespace glissade {
 
 Result<std::vector<ScriptLine>> parseScript(const std::string& text, const std::string& file,

@@ -59,7 +59,9 @@ AutosaveController::Written AutosaveController::write(AutosaveSlot& slot, const 
       slot.clear();
       return Done{};
     } catch (const std::exception& error) {
-      return Diagnostic{ErrorKind::Internal, "", "",
+      return Diagnostic{ErrorKind::Internal,
+                        "",
+                        "",
                         {GLISSADE_TEXT("edits cannot be saved automatically: %1"), {error.what()}},
                         GLISSADE_TEXT("Save the scenario.")};
     }

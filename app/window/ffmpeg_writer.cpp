@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <system_error>
 
-
 namespace glissade {
 namespace {
 
@@ -129,7 +128,10 @@ void FfmpegWriter::end(const SaveResult& result) {
 
 SaveResult FfmpegWriter::refused(const QString& reason) const {
   return notSaved(
-      {ErrorKind::Usage, file_.toStdString(), "", {GLISSADE_TEXT("ffmpeg could not write the film: %1"), {reason.toStdString()}},
+      {ErrorKind::Usage,
+       file_.toStdString(),
+       "",
+       {GLISSADE_TEXT("ffmpeg could not write the film: %1"), {reason.toStdString()}},
        GLISSADE_TEXT("Check the folder, its free space, and that ffmpeg has the codecs libx264 and libvpx-vp9.")});
 }
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-
 namespace glissade {
 namespace {
 

@@ -62,7 +62,10 @@ void MilestoneTool::drop() {
   const auto blocking = document_.scenario()->problem.world->makeQuery()->collidingBody(pose);
   if (blocking) {
     const auto& body = document_.scenario()->problem.world->obstacles()[static_cast<std::size_t>(*blocking)];
-    emit refused({ErrorKind::InCollision, "", "", {GLISSADE_TEXT("the milestone would be in collision with '%1'"), {body.id}},
+    emit refused({ErrorKind::InCollision,
+                  "",
+                  "",
+                  {GLISSADE_TEXT("the milestone would be in collision with '%1'"), {body.id}},
                   GLISSADE_TEXT("Drop it where the object is free.")});
   } else if (!(pose == before)) {
     document_.semantics().setMilestone(border, pose);

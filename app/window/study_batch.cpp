@@ -59,7 +59,8 @@ std::optional<Diagnostic> takePicture(const StudyFolder& folder, const StudyRun&
   if (const auto why = studies.startRun(folder, run)) return why;
   while (isRunning(*bench.session.snapshot())) bench.session.advance(kSlice);
   if (studies.isAsInStudy(outcome) == false) {
-    return Diagnostic{ErrorKind::MalformedInput, folder.path(),
+    return Diagnostic{ErrorKind::MalformedInput,
+                      folder.path(),
                       {GLISSADE_TEXT("cell %1, seed %2"), {run.cell + 1, run.seed}},
                       GLISSADE_TEXT("ends otherwise than in the study"),
                       GLISSADE_TEXT("Use the version that made it, or make the study again.")};

@@ -202,8 +202,8 @@ std::optional<ForeignNames> ForeignText::makeUtf8(std::vector<char>& text) const
     const auto begin = text.cbegin() + (piece.data() - text.data());
     after.insert(after.end(), at, begin);
     const std::size_t cut = cutBytesOf(piece);
-    const std::string utf8 = cut > 0 ? std::string(piece.substr(0, piece.size() - cut)).append(kUnknown)
-                                     : decoded(piece, guess.encoding);
+    const std::string utf8 =
+        cut > 0 ? std::string(piece.substr(0, piece.size() - cut)).append(kUnknown) : decoded(piece, guess.encoding);
     if (cut == 0 && read.example.empty()) read.example = utf8;
     after.insert(after.end(), utf8.begin(), utf8.end());
     at = begin + static_cast<std::ptrdiff_t>(piece.size());

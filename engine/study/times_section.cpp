@@ -3,7 +3,6 @@
 #include <iomanip>
 #include <sstream>
 
-
 namespace glissade {
 namespace {
 

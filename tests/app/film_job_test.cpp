@@ -92,7 +92,8 @@ TEST_F(FilmJobTest, WhatTheProgramSaysIsTheError) {
   film(QStringLiteral("path.mp4"));
   ASSERT_TRUE(ends());
   EXPECT_FALSE(*result);
-  EXPECT_NE(toString(result->why.reason).find("Unknown encoder libx264"), std::string::npos) << toString(result->why.reason);
+  EXPECT_NE(toString(result->why.reason).find("Unknown encoder libx264"), std::string::npos)
+      << toString(result->why.reason);
   EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files), QStringList{QStringLiteral("ffmpeg")});
   EXPECT_TRUE(restored);
 }

@@ -28,7 +28,7 @@ inline Joint screwJoint() {
   joint.drive = DriveKind::HexSocket;
   joint.driveSize = 0.004;
   joint.isDoubtful = true;
-  joint.evidence = {"a shaft of 5 mm with a head", "the name says 'screw'"};
+  joint.evidence = {Message("a shaft of 5 mm with a head"), Message("the name says 'screw'")};
   return joint;
 }
 

@@ -194,7 +194,8 @@ TEST_F(SemanticDocumentTest, AnAttributeThatARuleUsesStaysAsItIs) {
   for (const Outcome& refused : {document.renameDefinition(AttributeOwner::Place, "hazard", "danger"),
                                  document.removeDefinition(AttributeOwner::Place, "hazard")}) {
     ASSERT_FALSE(refused.ok());
-    EXPECT_NE(toString(refused.error().reason).find("/rules/edge"), std::string::npos) << toString(refused.error().reason);
+    EXPECT_NE(toString(refused.error().reason).find("/rules/edge"), std::string::npos)
+        << toString(refused.error().reason);
     EXPECT_NE(toString(refused.error().reason).find("'hazard'"), std::string::npos) << toString(refused.error().reason);
   }
   EXPECT_TRUE(document.edits() == before);

@@ -176,7 +176,8 @@ std::string mesh(const std::string& bytes) {
     }
     return {};
   } catch (const FormatError& error) {
-    return requireError({ErrorKind::MalformedInput, "mesh", toString(error.location), toString(error.reason), "Export it again."});
+    return requireError(
+        {ErrorKind::MalformedInput, "mesh", toString(error.location), toString(error.reason), "Export it again."});
   }
 }
 

@@ -16,7 +16,6 @@
 #include <random>
 #include <stdexcept>
 
-
 namespace glissade::oracle {
 
 struct OverlapCase::Solids {

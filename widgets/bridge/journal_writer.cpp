@@ -3,7 +3,6 @@
 #include <exception>
 #include <utility>
 
-
 namespace glissade {
 
 JournalWriter::JournalWriter(RunRecord head, std::string folder)
@@ -65,7 +64,10 @@ Outcome JournalWriter::write(const Part& part) {
     journal_ = std::move(*journal);
     return Done{};
   } catch (const std::exception& error) {
-    return Diagnostic{ErrorKind::Internal, folder_, "", {GLISSADE_TEXT("the journal cannot be written: %1"), {error.what()}},
+    return Diagnostic{ErrorKind::Internal,
+                      folder_,
+                      "",
+                      {GLISSADE_TEXT("the journal cannot be written: %1"), {error.what()}},
                       GLISSADE_TEXT("The run is not recorded on disk.")};
   }
 }

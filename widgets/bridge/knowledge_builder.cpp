@@ -1,6 +1,5 @@
 #include "widgets/bridge/knowledge_builder.h"
 
-
 namespace glissade {
 
 void KnowledgeBuilder::build(const Problem& problem, double requiredClearance, const SceneKnowledgePtr& before,

@@ -3,7 +3,6 @@
 #include <chrono>
 #include <functional>
 
-
 namespace glissade {
 namespace {
 

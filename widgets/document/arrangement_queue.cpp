@@ -4,7 +4,6 @@
 
 #include <utility>
 
-
 namespace glissade {
 
 ArrangementQueue::ArrangementQueue(Basis basis, MakeLoad makeLoad, QObject* parent)

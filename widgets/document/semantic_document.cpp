@@ -207,7 +207,9 @@ Outcome SemanticDocument::checkDefinitions(const SemanticEdits& edits, const std
   const auto parsed = parseRules(*rules_, *table, idsOf(makeLocalPlannerRegistry()));
   if (parsed) return Done{};
   const std::string rule = toString(parsed.error().location);
-  return Diagnostic{ErrorKind::Usage, "", rule,
+  return Diagnostic{ErrorKind::Usage,
+                    "",
+                    rule,
                     {GLISSADE_TEXT("the scenario's rule %1 uses the attribute '%2'"), {rule, attribute}},
                     GLISSADE_TEXT("Change the rule first.")};
 }

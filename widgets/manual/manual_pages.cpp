@@ -40,9 +40,12 @@ Result<std::vector<ManualPage>> manualPages(const ManualFacts& facts) {
                         GLISSADE_TEXT("Write it.")};
     }
     if (!terms.problems().isEmpty()) {
-      return Diagnostic{ErrorKind::Internal, file, "",
-                        {GLISSADE_TEXT("the manual names what does not exist: %1"), {terms.problems().join(' ').toStdString()}},
-                        GLISSADE_TEXT("Correct the page.")};
+      return Diagnostic{
+          ErrorKind::Internal,
+          file,
+          "",
+          {GLISSADE_TEXT("the manual names what does not exist: %1"), {terms.problems().join(' ').toStdString()}},
+          GLISSADE_TEXT("Correct the page.")};
     }
     const QString title = content.headings.front().title;
     pages.push_back({name, title, std::move(content)});

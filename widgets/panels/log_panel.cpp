@@ -4,7 +4,6 @@
 #include <QLocale>
 #include <QVBoxLayout>
 
-
 namespace glissade {
 namespace {
 

@@ -3,7 +3,6 @@
 #include <QBuffer>
 #include <QFileInfo>
 
-
 namespace glissade {
 
 SaveResult savePicture(const QImage& picture, const QString& file, const char* format) {

@@ -264,9 +264,9 @@ TEST(PlanWords, AnAcceptedClashAndTheBodyThatIsCutAreConditions) {
   says(0.006, {});
   EXPECT_THAT(conditionsOf(), ElementsAre(cut));
   says(0.0, {"across"});
-  EXPECT_THAT(conditionsOf(), ElementsAre(HasSubstr("--accept-clashes 6mm")));
+  EXPECT_THAT(conditionsOf(), ElementsAre(HasSubstr("--accept-clashes 5mm")));
   says(0.0, {});
-  EXPECT_THAT(conditionsOf(), ElementsAre(cut, HasSubstr("--accept-clashes 6mm")));
+  EXPECT_THAT(conditionsOf(), ElementsAre(cut, HasSubstr("--accept-clashes 5mm")));
   says(0.006, {"along"});
   EXPECT_THAT(conditionsOf(), ElementsAre("not valid")) << "a person names the other one";
 }

@@ -18,7 +18,8 @@ TEST(UnreadKind, IsNamedWithWhatToExport) {
     EXPECT_EQ(toString(found->reason), std::string("is ") + kind + ", which is not read");
     EXPECT_EQ(toString(found->advice), "Export it as STEP (AP214 or AP242) in the program that it is from.");
   }
-  EXPECT_EQ(toString(unreadKind("a.3mf")->advice), "Export it as STL, OBJ, PLY or glTF in the program that it is from.");
+  EXPECT_EQ(toString(unreadKind("a.3mf")->advice),
+            "Export it as STL, OBJ, PLY or glTF in the program that it is from.");
   EXPECT_EQ(toString(unreadKind("a.step.gz")->advice), "Unpack it, and give the file that is in it.");
 }
 

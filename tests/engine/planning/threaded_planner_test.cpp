@@ -114,7 +114,8 @@ TEST(ThreadedPlanner, ALooseNutHoldsItsBolt) {
   EXPECT_EQ(planner->path(), nullptr);
   ASSERT_TRUE(planner->failure());
   EXPECT_EQ(planner->failure()->kind, ErrorKind::NoPath);
-  EXPECT_NE(toString(planner->failure()->reason).find("'nut'"), std::string::npos) << toString(planner->failure()->reason);
+  EXPECT_NE(toString(planner->failure()->reason).find("'nut'"), std::string::npos)
+      << toString(planner->failure()->reason);
   const auto query = bolted.problem.world->makeQuery();
   EXPECT_EQ(findScrewWays(*bolted.problem.world, *query, bolted.problem.start, 1e-7, {}).blockedBy,
             std::vector<int>{0});

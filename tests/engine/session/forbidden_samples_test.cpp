@@ -74,7 +74,8 @@ SnapshotPtr planned(const KnownScenario& scenario, const std::vector<std::size_t
         test::metBy(end->path->configurations(), *stated, test::forbiddenMarginOf(*scenario.loaded.problem.world)), "")
         << strategy;
   } else {
-    EXPECT_NE(toString(end->problem->reason).find("forbidden"), std::string::npos) << strategy << ": " << toString(*end->problem);
+    EXPECT_NE(toString(end->problem->reason).find("forbidden"), std::string::npos)
+        << strategy << ": " << toString(*end->problem);
   }
   return end;
 }

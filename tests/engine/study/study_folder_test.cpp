@@ -107,7 +107,8 @@ TEST_F(StudyFolderTest, MergeUnitesAndRefusesWhatDoesNotBelongTogether) {
   EXPECT_TRUE(fs::exists(merged->file("summary.json")));
 
   ASSERT_TRUE(second->save({0, 2}, solved(99)).ok());
-  EXPECT_THAT(toString(mergeStudies({a, b}, files.folder / "m2", warnings).error().reason), HasSubstr("another result"));
+  EXPECT_THAT(toString(mergeStudies({a, b}, files.folder / "m2", warnings).error().reason),
+              HasSubstr("another result"));
   RunOutcome slow;
   slow.result.status = RunStatus::Time;
   ASSERT_TRUE(second->save({0, 2}, slow).ok());
