@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QLocale>
 #include <QTranslator>
 #include <memory>
 
@@ -25,6 +26,7 @@ class WholeWindowTest : public testing::TestWithParam<const char*> {
 
  protected:
   WholeWindowTest() {
+    QLocale::setDefault(QLocale(QLatin1String(GetParam())));
     if (QLatin1String(GetParam()) == QLatin1String("fr")) {
       EXPECT_TRUE(french_.load(QString::fromStdString(programDirectory()) + QStringLiteral("/../app/glissade_fr.qm")));
       QApplication::installTranslator(&french_);
@@ -33,6 +35,7 @@ class WholeWindowTest : public testing::TestWithParam<const char*> {
   }
   ~WholeWindowTest() override {
     QApplication::removeTranslator(&french_);
+    QLocale::setDefault(locale_);
     qApp->setStyleSheet(QString());
     QApplication::setPalette(usual_);
   }
@@ -48,6 +51,7 @@ class WholeWindowTest : public testing::TestWithParam<const char*> {
   }
 
  private:
+  QLocale locale_;  ///< as it was before
   QTranslator french_;
   QPalette usual_;
 };
