@@ -145,7 +145,8 @@ std::string cfg(const std::string& bytes) {
 
 /// Reads a message that a compromised importer could send.
 std::string stepProtocol(const std::string& bytes) {
-  const ImporterCall call{"glissade-import-step", {"0"}, "part.step", import_protocol::kStepLimits, "Export it again."};
+  const ImporterCall call{
+      "glissade-import-step", {"0"}, "part.step", import_protocol::kStepLimits, Message("Export it again.")};
   ImporterAnswer answer{{}, ImportMessage(bytes)};
   constexpr std::uint32_t kFew = 100'000;  // larger counts take time and are refused because the bytes are missing
   if (!answer.message.take(&answer.header, 1) || answer.header.vertices > kFew || answer.header.triangles > kFew)
@@ -176,14 +177,14 @@ std::string mesh(const std::string& bytes) {
     }
     return {};
   } catch (const FormatError& error) {
-    return requireError(
-        {ErrorKind::MalformedInput, "mesh", toString(error.location), toString(error.reason), "Export it again."});
+    return requireError({ErrorKind::MalformedInput, "mesh", error.location, error.reason, Message("Export it again.")});
   }
 }
 
 std::string stepText(const std::string& bytes) {
   const auto fault = faultOfStepText(bytes);
-  return fault ? requireError({ErrorKind::MalformedInput, "part.step", "", *fault, "Export it again."}) : std::string();
+  return fault ? requireError({ErrorKind::MalformedInput, "part.step", "", *fault, Message("Export it again.")})
+               : std::string();
 }
 
 const std::vector<std::string> kJsonWords{
