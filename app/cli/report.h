@@ -11,7 +11,8 @@
 
 namespace glissade::cli {
 
-/// What a command prints: text for people in a language, or one JSON object on standard output and nothing else.
+/// Form of the output of a command: text for people in a language, or one JSON object on standard output and nothing
+/// else.
 struct Console {
   bool json = false;
   Language language = Language::English;
@@ -56,7 +57,7 @@ nlohmann::ordered_json toJson(const Diagnostic& error);
 /// of fits, the turns of the path in threads, and shapes that are no bodies.
 void addUncertainties(const LoadedScenario& scenario, const std::vector<PathPoint>& path,
                       nlohmann::ordered_json& certificate);
-/// The same in words, a message for each line.
+/// The uncertainties of addUncertainties() in words, a message for each line.
 std::vector<Message> uncertaintiesInWords(const LoadedScenario& scenario, const std::vector<PathPoint>& path);
 
 /// The certificate in words, such as "certified: clearance 1.5 mm to 'wall_L1'".

@@ -27,11 +27,9 @@ int exitCode(ErrorKind kind);
 /// A place in a file or in a command: a JSON pointer or an option as it is, or a message ("line 3").
 struct Location : Message {
   using Message::Message;
-  // NOLINTBEGIN(google-explicit-constructor): places are mostly pointers and options as they are.
   Location(Message message) : Message(std::move(message)) {}
   Location(std::string text) : Message(std::move(text)) {}
   Location(const char* text) : Message(text) {}
-  // NOLINTEND(google-explicit-constructor)
 };
 
 /// One error or warning about the user's input. Every part is a sentence fragment; `file` and `location` may be empty.

@@ -45,8 +45,7 @@ struct MessageArgument;
 /// A text for people as data: a text of the catalogue and its arguments. The reader chooses the language.
 struct Message {
   Message() = default;
-  Message(CatalogueText text,
-          std::initializer_list<MessageArgument> arguments = {});  // NOLINT(google-explicit-constructor)
+  Message(CatalogueText text, std::initializer_list<MessageArgument> arguments = {});
   Message(CatalogueText text, std::vector<MessageArgument> arguments);
   /// A text that is equal in all languages: a name, a place in a file, the text of a library.
   explicit Message(std::string text);
@@ -59,9 +58,8 @@ struct Message {
   std::vector<MessageArgument> arguments;
 };
 
-/// What stands for one of %1 to %9.
+/// The value that replaces one of %1 to %9: a text, a length, a depth or a message.
 struct MessageArgument {
-  // NOLINTBEGIN(google-explicit-constructor): arguments are listed as they are.
   MessageArgument(std::string text) : value(std::move(text)) {}
   MessageArgument(std::string_view text) : value(std::string(text)) {}
   MessageArgument(const char* text) : value(std::string(text)) {}
@@ -72,7 +70,6 @@ struct MessageArgument {
   MessageArgument(Depth depth) : value(depth) {}
   MessageArgument(CatalogueText text) : value(Message(text)) {}
   MessageArgument(Message message) : value(std::move(message)) {}
-  // NOLINTEND(google-explicit-constructor)
 
   bool operator==(const MessageArgument& other) const { return value == other.value; }
 
@@ -81,7 +78,7 @@ struct MessageArgument {
 
 /// Language and units of a reader.
 struct MessageStyle {
-  MessageStyle(Language language = Language::English) : language(language) {}  // NOLINT(google-explicit-constructor)
+  MessageStyle(Language language = Language::English) : language(language) {}
 
   Language language;
   std::function<std::string(double metres)> length;  ///< empty: millimetres with three significant digits

@@ -169,24 +169,25 @@ class StepJudge {
   /// The pair as the step states it. What only the plan says of it, that its clash is accepted or which body is cut,
   /// becomes a condition of the verdict.
   PairFit takenFit(const PairQuestion& asked, StepVerdict& verdict) const {
-    if (!product_.fits.on) return fitOf(asked, product_.fits, placed_, watch_.stop);
-    if (auto fit = takenBy(product_.fits, asked, verdict)) return std::move(*fit);
+    PairFit byPersons = fitOf(asked, product_.fits, placed_, watch_.stop);
+    if (byPersons.refusals.empty() || !product_.fits.on) return byPersons;
+    if (auto fit = withItsClash(product_.fits, asked, verdict)) return std::move(*fit);
     if (const Body* cut = cutByPlan(asked)) {
       FitWords words = product_.fits;
       words.cut.push_back(cut->id);
-      if (auto fit = takenBy(words, asked, verdict)) {
+      PairFit byCut = fitOf(asked, words, placed_, watch_.stop);
+      std::optional<PairFit> fit = byCut.refusals.empty() ? std::move(byCut) : withItsClash(words, asked, verdict);
+      if (fit) {
         verdict.conditions.push_back(isTheOneCut(cut->name, idAsOption(cut->id)));
         return std::move(*fit);
       }
     }
-    return fitOf(asked, product_.fits, placed_, watch_.stop);
+    return byPersons;
   }
 
-  /// The pair by these words. If only the acceptance of a clash is missing, the verdict gets a condition. Nothing: the
-  /// pair is refused.
-  std::optional<PairFit> takenBy(FitWords words, const PairQuestion& asked, StepVerdict& verdict) const {
-    PairFit fit = fitOf(asked, words, placed_, watch_.stop);
-    if (fit.refusals.empty()) return fit;
+  /// The refused pair, with the clash accepted that the step states: the verdict gets a condition. Nothing: it is
+  /// refused all the same.
+  std::optional<PairFit> withItsClash(FitWords words, const PairQuestion& asked, StepVerdict& verdict) const {
     double claimed = 0.0;
     for (const StatedAllowance& each : *asked.stated) {
       if (each.isAbout(asked.moving.id, asked.other.id, asked.first)) claimed = std::max(claimed, each.allowance);

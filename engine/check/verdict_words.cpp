@@ -59,7 +59,7 @@ Message inWords(const AppliedAllowance& allowance) {
 
 namespace {
 
-/// What the file states, without the judgement.
+/// The allowance that the file states, without the judgement.
 Message claimInWords(const AppliedAllowance& allowance) {
   const Length amount{*allowance.stated};
   if (allowance.hollow) {

@@ -20,7 +20,8 @@ CatalogueText inWords(ContactKind kind) {
   return kKinds[static_cast<std::size_t>(kind)];
 }
 
-/// Where the body is taken thinner: %1 the body, %2 by how much, %3 the other body, %4 the kind.
+/// The text that says on which surface a body is taken thinner. %1 is the body, %2 the amount, %3 the other body, %4
+/// the kind.
 CatalogueText thinnerText(const Fit& fit) {
   const bool isThread = fit.kind == ContactKind::Thread;
   switch (roleOfThinner(fit)) {

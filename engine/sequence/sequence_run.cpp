@@ -138,7 +138,7 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
                                   &fits};
   SavableHost savable(request, host);
   AssemblyPlan plan = strategy->make()->plan(question, savable);
-  // Where every body stays, nothing is taken apart: the judge calls no such plan complete.
+  // A plan in which every body stays takes nothing apart. The judge does not call it complete.
   if (plan.parts() == 0 && plan.end == PlanEnd::Complete) plan.end = PlanEnd::Stuck;
   addJoints(plan, question);
   addLines(plan, question, host);
