@@ -7,10 +7,10 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/text_cells.h"
 #include "engine/access/plan_access.h"
-#include "engine/scenario/path_reader.h"
-#include "engine/scenario/plan_file.h"
-#include "engine/scenario/product_file.h"
-#include "engine/scenario/scenario_io.h"
+#include "engine/files/path_reader.h"
+#include "engine/files/plan_file.h"
+#include "engine/files/product_file.h"
+#include "engine/files/scenario_io.h"
 #include "engine/study/plan_tasks.h"
 #include "engine/study/plan_words.h"
 
@@ -131,7 +131,7 @@ void printLine(const LineAccess& access, const std::vector<AssemblyStep>& steps,
 void printPlanAccess(const PlanAccess& access, const AssemblyPlan& plan, const AssembledProduct& product,
                      const Console& console) {
   printLine(access, plan.steps, plan.lines, {}, product, console);
-  console.print({GLISSADE_TEXT("%1 of %2 steps are reached and seen by the hand %3"),
+  console.print({GLISSADE_TEXT("%1 of %2 {2|step|steps} {1|is|are} reached and seen by the hand %3"),
                  {access.reached(), access.count(), kHandSizeNames.of(access.person.size)}});
   console.print(kSampled);
 }

@@ -11,8 +11,8 @@
 #include "engine/check/read_path.h"
 #include "engine/check/read_question.h"
 #include "engine/check/verdict_report.h"
-#include "engine/scenario/forbidden_places_of.h"
-#include "engine/scenario/scenario_io.h"
+#include "engine/files/forbidden_places_of.h"
+#include "engine/files/scenario_io.h"
 
 namespace glissade::cli {
 namespace {

@@ -3,12 +3,12 @@
 #include <filesystem>
 
 #include "engine/base/file.h"
+#include "engine/files/asset_path.h"
+#include "engine/files/path_exporter.h"
+#include "engine/files/path_reader.h"
+#include "engine/files/scenario_file.h"
 #include "engine/planning/coarse/prohibitions.h"
 #include "engine/planning/path_certificate.h"
-#include "engine/scenario/asset_path.h"
-#include "engine/scenario/path_exporter.h"
-#include "engine/scenario/path_reader.h"
-#include "engine/scenario/scenario_file.h"
 
 namespace glissade::cli {
 namespace {

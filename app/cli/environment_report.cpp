@@ -5,7 +5,7 @@
 
 #include "app/cli/text_cells.h"
 #include "engine/base/enum_names.h"
-#include "engine/environment/edit_binding.h"
+#include "engine/places/edit_binding.h"
 
 namespace glissade::cli {
 namespace {

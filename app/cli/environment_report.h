@@ -3,8 +3,8 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "app/cli/report.h"
+#include "engine/files/scenario.h"
 #include "engine/planning/coarse/scene_knowledge.h"
-#include "engine/scenario/scenario.h"
 
 namespace glissade::cli {
 

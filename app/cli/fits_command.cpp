@@ -10,12 +10,12 @@
 #include "app/cli/text_cells.h"
 #include "engine/base/number_text.h"
 #include "engine/check/plain_overlaps.h"
+#include "engine/files/part_files.h"
+#include "engine/files/product_file.h"
+#include "engine/fits/alternatives.h"
+#include "engine/fits/fit_table.h"
 #include "engine/import/missing_shapes_json.h"
 #include "engine/import/step_import.h"
-#include "engine/product/alternatives.h"
-#include "engine/product/fit_table.h"
-#include "engine/scenario/part_files.h"
-#include "engine/scenario/product_file.h"
 
 namespace glissade::cli {
 namespace {
@@ -191,7 +191,7 @@ void printCounts(const std::vector<PairFit>& rows, std::size_t bodies, const Con
   for (const auto& [kind, count] : countsByKind(rows)) {
     counts.push_back({CatalogueText{"%1 %2"}, {count, CatalogueText{kind.c_str()}}});
   }
-  const Message pairs{GLISSADE_TEXT("%1 pairs of %2 bodies"), {rows.size(), bodies}};
+  const Message pairs{GLISSADE_TEXT("%1 {1|pair|pairs} of %2 {2|body|bodies}"), {rows.size(), bodies}};
   console.print(counts.empty() ? pairs : Message{GLISSADE_TEXT("%1: %2"), {pairs, glissade::joined(counts, ", ")}});
 }
 

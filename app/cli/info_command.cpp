@@ -12,15 +12,15 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/text_cells.h"
 #include "engine/base/length_units.h"
+#include "engine/files/forbidden_places_of.h"
+#include "engine/files/part_files.h"
+#include "engine/files/product_file.h"
+#include "engine/files/product_name.h"
+#include "engine/files/scenario_bodies.h"
+#include "engine/files/scenario_io.h"
+#include "engine/files/semantics_json.h"
 #include "engine/geometry/mesh_audit.h"
 #include "engine/import/missing_shapes_json.h"
-#include "engine/scenario/forbidden_places_of.h"
-#include "engine/scenario/part_files.h"
-#include "engine/scenario/product_file.h"
-#include "engine/scenario/product_name.h"
-#include "engine/scenario/scenario_bodies.h"
-#include "engine/scenario/scenario_io.h"
-#include "engine/scenario/semantics_json.h"
 
 namespace glissade::cli {
 namespace {
@@ -158,7 +158,7 @@ void printTree(const Product& tree, const std::vector<RigidBody>& bodies, const 
     open.insert(open.end(), node.children.rbegin(), node.children.rend());
     if (node.children.empty()) continue;
     if (std::exchange(isFirst, false)) printTitle(GLISSADE_TEXT("assemblies"), console);
-    console.print({counts[i] == 1 ? GLISSADE_TEXT("%1  %2 body%3") : GLISSADE_TEXT("%1  %2 bodies%3"),
+    console.print({GLISSADE_TEXT("%1  %2 {2|body|bodies}%3"),
                    {std::string(2 * levels[i] + 2, ' ') + names[i], counts[i], attributesText(node.attributes)}});
   }
 }
@@ -238,7 +238,7 @@ void printMissing(const MissingShapes& missing, const Console& console) {
 /// Prints the bodies of a part file, which has neither an object nor a problem.
 void printProduct(const std::string& file, const AssembledProduct& product, const Console& console) {
   std::cout << file << "\n";
-  const Message counts{GLISSADE_TEXT("%1 bodies, %2 different meshes, %3 triangles"),
+  const Message counts{GLISSADE_TEXT("%1 {1|body|bodies}, %2 different {2|mesh|meshes}, %3 {3|triangle|triangles}"),
                        {product.bodies.size(), differentMeshes(product.bodies), trianglesOf(product.bodies)}};
   const Message unit = unitInWords(product.tree);
   console.print(unit.empty() ? counts : Message{GLISSADE_TEXT("%1, lengths in %2"), {counts, unit}});

@@ -8,10 +8,10 @@
 
 #include "app/cli/interrupt.h"
 #include "app/cli/text_cells.h"
-#include "engine/product/joint_edits.h"
-#include "engine/product/joint_finder.h"
-#include "engine/scenario/joints_json.h"
-#include "engine/scenario/product_file.h"
+#include "engine/files/joints_json.h"
+#include "engine/files/product_file.h"
+#include "engine/fits/joint_edits.h"
+#include "engine/fits/joint_finder.h"
 
 namespace glissade::cli {
 namespace {
@@ -83,7 +83,7 @@ void printCounts(const Joints& joints, const AssembledProduct& product, const Co
   for (const auto& [kind, count] : countsOf(joints)) {
     counts.push_back({CatalogueText{"%1 %2"}, {count, CatalogueText{kind.c_str()}}});
   }
-  const Message all{GLISSADE_TEXT("%1 joints of %2 bodies"), {joints.size(), product.bodies.size()}};
+  const Message all{GLISSADE_TEXT("%1 {1|joint|joints} of %2 {2|body|bodies}"), {joints.size(), product.bodies.size()}};
   console.print(counts.empty() ? all : Message{GLISSADE_TEXT("%1: %2"), {all, joined(counts, ", ")}});
   const auto holes = screwHoles(joints);
   const auto doubtful = std::count_if(joints.begin(), joints.end(), [](const Joint& one) { return one.isDoubtful; });

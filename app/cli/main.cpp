@@ -21,7 +21,7 @@
 #include "engine/base/enum_names.h"
 #include "engine/base/guarded.h"
 #include "engine/base/limits.h"
-#include "engine/scenario/path_exporter.h"
+#include "engine/files/path_exporter.h"
 
 namespace {
 

@@ -1,17 +1,17 @@
 #include "app/cli/commands.h"
 
 #include "app/cli/text_cells.h"
-#include "engine/assembly/body_choice.h"
+#include "engine/files/assembly_edits.h"
+#include "engine/files/asset_path.h"
+#include "engine/files/product_file.h"
+#include "engine/files/scenario_bodies.h"
+#include "engine/files/scenario_file.h"
+#include "engine/files/scenario_fits.h"
+#include "engine/files/scenario_product.h"
+#include "engine/files/unit_guess.h"
 #include "engine/import/mesh_import.h"
+#include "engine/model/body_choice.h"
 #include "engine/planning/automatic/move_to_clearance.h"
-#include "engine/scenario/assembly_edits.h"
-#include "engine/scenario/asset_path.h"
-#include "engine/scenario/product_file.h"
-#include "engine/scenario/scenario_bodies.h"
-#include "engine/scenario/scenario_file.h"
-#include "engine/scenario/scenario_fits.h"
-#include "engine/scenario/scenario_product.h"
-#include "engine/scenario/unit_guess.h"
 
 namespace glissade::cli {
 namespace {

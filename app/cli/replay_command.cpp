@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/interrupt.h"
-#include "engine/scenario/run_record.h"
-#include "engine/scenario/scenario_io.h"
+#include "engine/files/run_record.h"
+#include "engine/files/scenario_io.h"
 #include "engine/session/replay_session.h"
 #include "engine/session/run_comparison.h"
 #include "engine/session/session_with_planners.h"
@@ -78,7 +78,7 @@ Json toJson(const Replayed& replayed, const std::optional<RunDifference>& differ
 void printText(const Replayed& replayed, const std::optional<RunDifference>& difference, const Console& console) {
   if (!difference) {
     const RunCheckpoint end = replayed.recorded.end.value_or(RunCheckpoint{});
-    console.print({GLISSADE_TEXT("same roadmap as recorded: %1 nodes"), {end.nodes}});
+    console.print({GLISSADE_TEXT("same roadmap as recorded: %1 {1|node|nodes}"), {end.nodes}});
     if (replayed.record.version == 1) {
       console.print(GLISSADE_TEXT("(a record of version 1: only the nodes were counted)"));
     }

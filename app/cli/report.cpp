@@ -6,9 +6,9 @@
 
 #include "app/cli/text_cells.h"
 #include "engine/base/printable_text.h"
+#include "engine/files/certificate_json.h"
+#include "engine/files/scenario_fits.h"
 #include "engine/import/missing_shapes_json.h"
-#include "engine/scenario/certificate_json.h"
-#include "engine/scenario/scenario_fits.h"
 
 namespace glissade::cli {
 using Json = nlohmann::ordered_json;
@@ -80,7 +80,8 @@ Message certifiedInWords(const MotionCertificate& certificate, const Message& bo
   }
   Message demand{GLISSADE_TEXT("required %1 mm"), {millimetres(certificate.tolerance)}};
   if (const std::size_t sliding = certificate.slidingEdges(); sliding > 0) {
-    demand = {GLISSADE_TEXT("%1, %2 of %3 edges slide"), {demand, sliding, certificate.edges.size()}};
+    demand = {GLISSADE_TEXT("%1, %2 of %3 {3|edge|edges} {2|slides|slide}"),
+              {demand, sliding, certificate.edges.size()}};
   }
   if (certificate.forbiddenMargin > 0.0) {
     demand = {GLISSADE_TEXT("%1; %2 from forbidden places"), {demand, Length{certificate.forbiddenMargin}}};

@@ -6,7 +6,7 @@
 
 #include "engine/base/diagnostic.h"
 #include "engine/collision/motion_certificate.h"
-#include "engine/scenario/scenario.h"
+#include "engine/files/scenario.h"
 #include "engine/session/session.h"
 
 namespace glissade::cli {

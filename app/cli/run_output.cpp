@@ -13,14 +13,14 @@
 #include "engine/base/json_reader.h"
 #include "engine/base/stop_token.h"
 #include "engine/collision/thread_rule.h"
+#include "engine/files/path_exporter.h"
+#include "engine/files/run_record.h"
+#include "engine/files/scenario.h"
+#include "engine/files/scenario_io.h"
 #include "engine/geometry/pose_json.h"
 #include "engine/planning/automatic/straight_ways_out.h"
 #include "engine/planning/difficulty/difficulty.h"
 #include "engine/planning/screw_motion.h"
-#include "engine/scenario/path_exporter.h"
-#include "engine/scenario/run_record.h"
-#include "engine/scenario/scenario.h"
-#include "engine/scenario/scenario_io.h"
 #include "engine/session/grown_roadmap.h"
 #include "engine/session/session.h"
 
@@ -160,8 +160,8 @@ Json toJson(const HandReport& hand, bool found) {
 
 /// Prints how the configurations that the hand showed were used.
 void printHand(const HandReport& hand, bool found, const Console& console) {
-  console.print({GLISSADE_TEXT("your hand showed %1 configurations; %2 were in collision, %3 of these were moved to "
-                               "contact"),
+  console.print({GLISSADE_TEXT("your hand showed %1 {1|configuration|configurations}; %2 {2|was|were} in collision, %3 "
+                               "of these {3|was|were} moved to contact"),
                  {hand.shown, hand.collided, hand.movedToContact}});
   if (!found) return;
   console.print(hand.joined ? GLISSADE_TEXT("your way joined start and goal")
@@ -222,7 +222,7 @@ Json toJson(const SessionSnapshot& end, const CollisionWorld& world, bool edges)
 void printCoarsePlan(const CoarsePlan& plan, const Console& console) {
   console.print({GLISSADE_TEXT("coarse path %1:"), {plan.attempt}});
   for (const TopologicalStep& step : plan.steps) {
-    console.print({GLISSADE_TEXT("  %1 to %2: %3, %4 random configurations (%5)"),
+    console.print({GLISSADE_TEXT("  %1 to %2: %3, %4 random {4|configuration|configurations} (%5)"),
                    {step.placeName, step.borderName, CatalogueText{kStepResultNames.of(step.result)},
                     step.randomConfigurations, step.why}});
   }
@@ -230,7 +230,7 @@ void printCoarsePlan(const CoarsePlan& plan, const Console& console) {
 
 void printText(const SessionSnapshot& end, const CollisionWorld& world, const Console& console) {
   const PlannerCounts& counts = end.counts;
-  console.print({GLISSADE_TEXT("%1 by %2 after %3 steps (%4 s virtual, %5 s of planning)"),
+  console.print({GLISSADE_TEXT("%1 by %2 after %3 {3|step|steps} (%4 s virtual, %5 s of planning)"),
                  {status(end), end.plannerId + (end.member.empty() ? "" : " (" + end.member + ")"), counts.steps,
                   rounded(end.virtualSeconds), rounded(end.planningSeconds)}});
   console.print({GLISSADE_TEXT("nodes %1, edges %2, configurations: random %3, operator %4, contact %5"),
@@ -241,7 +241,7 @@ void printText(const SessionSnapshot& end, const CollisionWorld& world, const Co
   if (end.coarsePlan) printCoarsePlan(*end.coarsePlan, console);
   if (end.hand) printHand(*end.hand, end.path != nullptr, console);
   if (!end.path) return;
-  console.print({GLISSADE_TEXT("path of %1 configurations, %2 m, %3 rad"),
+  console.print({GLISSADE_TEXT("path of %1 {1|configuration|configurations}, %2 m, %3 rad"),
                  {end.path->points.size(), rounded(end.path->length()), rounded(end.path->rotation())}});
   console.print(inWords(end.path->certificate, world));
   const PerAuthor<double> shares = pathShares(*end.path, world);

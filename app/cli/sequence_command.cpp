@@ -12,12 +12,12 @@
 #include "engine/base/number_text.h"
 #include "engine/base/quantity_text.h"
 #include "engine/check/plain_overlaps.h"
+#include "engine/files/plan_file.h"
+#include "engine/files/product_file.h"
+#include "engine/fits/alternatives.h"
+#include "engine/fits/joint_edits.h"
+#include "engine/fits/joint_finder.h"
 #include "engine/import/missing_shapes_json.h"
-#include "engine/product/alternatives.h"
-#include "engine/product/joint_edits.h"
-#include "engine/product/joint_finder.h"
-#include "engine/scenario/plan_file.h"
-#include "engine/scenario/product_file.h"
 #include "engine/sequence/fasteners.h"
 #include "engine/sequence/sequence_run.h"
 #include "engine/sequence/step_motion.h"
@@ -84,14 +84,14 @@ class ProgressHost final : public SequenceHost {
 
   void asking(std::size_t bodies, int effort) override {
     keep();
-    if (effort > 0) notes_.note({GLISSADE_TEXT("searching motions of %1 parts, effort %2"), {bodies, effort}});
+    if (effort > 0) notes_.note({GLISSADE_TEXT("searching motions of %1 {1|part|parts}, effort %2"), {bodies, effort}});
   }
 
   void stepFound(const AssemblyPlan& plan) override {
     for (; reported_ < plan.steps.size(); ++reported_) {
       const AssemblyStep& step = plan.steps[reported_];
-      notes_.note({step.with.empty() ? GLISSADE_TEXT("%1 of %2 parts: %3 leaves (%4)")
-                                     : GLISSADE_TEXT("%1 of %2 parts: %3 leave as one (%4)"),
+      notes_.note({step.with.empty() ? GLISSADE_TEXT("%1 of %2 {2|part|parts}: %3 leaves (%4)")
+                                     : GLISSADE_TEXT("%1 of %2 {2|part|parts}: %3 leave as one (%4)"),
                    {plan.removed(), plan.parts(), namesOf(step), methodInWords(step.method)}});
     }
     if (file_.empty()) return;
@@ -381,12 +381,12 @@ std::size_t screwHoles(const std::vector<AssemblyStep>& steps, const std::vector
 
 /// "12 of 13 parts leave in 10 steps, every motion certified", with the number of flexible parts without a proof.
 Message stepsInWords(const AssemblyPlan& plan) {
-  const Message steps{GLISSADE_TEXT("%1 of %2 parts leave in %3 steps"),
+  const Message steps{GLISSADE_TEXT("%1 of %2 {2|part|parts} {1|leaves|leave} in %3 {3|step|steps}"),
                       {plan.removed(), plan.parts(), plan.steps.size()}};
   if (plan.removed() == 0) return steps;
   const std::size_t open = plan.removedWithoutProof();
   if (open == 0) return {GLISSADE_TEXT("%1, every motion certified"), {steps}};
-  return {GLISSADE_TEXT("%1, every motion certified but those of %2 flexible parts"), {steps, open}};
+  return {GLISSADE_TEXT("%1, every motion certified but those of %2 flexible {2|part|parts}"), {steps, open}};
 }
 
 void PlanPrinter::print(const AssemblyPlan& plan, double seconds) const {

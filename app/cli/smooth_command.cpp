@@ -4,11 +4,11 @@
 
 #include "app/cli/interrupt.h"
 #include "app/cli/text_cells.h"
+#include "engine/files/path_exporter.h"
+#include "engine/files/path_reader.h"
+#include "engine/files/scenario_io.h"
 #include "engine/planning/coarse/prohibitions.h"
 #include "engine/planning/path_certificate.h"
-#include "engine/scenario/path_exporter.h"
-#include "engine/scenario/path_reader.h"
-#include "engine/scenario/scenario_io.h"
 
 namespace glissade::cli {
 namespace {

@@ -53,7 +53,7 @@ std::string median(const Distribution& distribution, int digits) {
 }
 
 Message inWords(const StudyProgress& progress) {
-  Message text{GLISSADE_TEXT("%1 of %2 runs, %3 solved"), {progress.done, progress.planned, progress.solved}};
+  Message text{GLISSADE_TEXT("%1 of %2 {2|run|runs}, %3 solved"), {progress.done, progress.planned, progress.solved}};
   if (progress.broken > 0) {
     text = {GLISSADE_TEXT("%1, %2 ended by time, memory or a fault"), {text, progress.broken}};
   }
@@ -139,7 +139,7 @@ int describe(const StudyOptions& options, const StudyPlan& plan, const Shard& sh
   for (const StudyRun& run : runs) done += known.count(run);
   const Console& console = options.console;
   console.print(Message(plan.study.heading.title));
-  console.print({GLISSADE_TEXT("%1 cells, %2 runs in shard %3 of %4, %5 of them done"),
+  console.print({GLISSADE_TEXT("%1 {1|cell|cells}, %2 {2|run|runs} in shard %3 of %4, %5 of them done"),
                  {plan.study.cells.size(), runs.size(), shard.index, shard.count, done}});
   console.print({});
   for (const StudyCell& cell : plan.study.cells) {
@@ -148,7 +148,7 @@ int describe(const StudyOptions& options, const StudyPlan& plan, const Shard& sh
       command += " " + word;
     }
     std::cout << cell.label << "\n";
-    console.print({GLISSADE_TEXT("  %1 seeds of: %2"), {cell.seeds.size(), command}});
+    console.print({GLISSADE_TEXT("  %1 {1|seed|seeds} of: %2"), {cell.seeds.size(), command}});
   }
   return 0;
 }

@@ -6,9 +6,9 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/text_cells.h"
 #include "engine/base/volume_unit.h"
-#include "engine/scenario/path_reader.h"
-#include "engine/scenario/scenario_io.h"
-#include "engine/scenario/swept_volume_file.h"
+#include "engine/files/path_reader.h"
+#include "engine/files/scenario_io.h"
+#include "engine/files/swept_volume_file.h"
 #include "engine/sweep/swept_bodies.h"
 
 namespace glissade::cli {

@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/text_cells.h"
-#include "engine/scenario/plan_file.h"
-#include "engine/scenario/product_file.h"
-#include "engine/scenario/work_times_json.h"
+#include "engine/files/plan_file.h"
+#include "engine/files/product_file.h"
+#include "engine/files/work_times_json.h"
 #include "engine/study/plan_timing.h"
 #include "engine/study/plan_words.h"
 
@@ -37,8 +37,8 @@ void printTable(const PlanTiming& timing, const AssemblyPlan& plan, const Assemb
 
 /// Prints how the steps are divided over the stations of a line.
 void printLine(const LineBalance& line, const PlanTiming& timing, const Console& console) {
-  console.print({GLISSADE_TEXT("%1 stations: a product every %2 s (no division is faster than %3 s), people work %4 % "
-                               "of the time"),
+  console.print({GLISSADE_TEXT("%1 {1|station|stations}: a product every %2 s (no division is faster than %3 s), "
+                               "people work %4 % of the time"),
                  {line.load.size(), fixedDigits(line.cycle, 1), fixedDigits(line.least, 1),
                   fixedDigits(100.0 * line.efficiency(), 1)}});
   for (std::size_t s = 0; s < line.load.size(); ++s) {

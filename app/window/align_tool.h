@@ -6,7 +6,7 @@
 #include "app/window/feature_store.h"
 #include "app/window/left_click.h"
 #include "app/window/scene_hint.h"
-#include "engine/product/alignment.h"
+#include "engine/fits/alignment.h"
 
 namespace glissade {
 

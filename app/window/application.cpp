@@ -31,7 +31,7 @@
 #include "engine/base/file.h"
 #include "engine/base/memory_use.h"
 #include "engine/base/number_text.h"
-#include "engine/scenario/part_files.h"
+#include "engine/files/part_files.h"
 #include "widgets/manual/manual_writer.h"
 #include "widgets/plots/picture_file.h"
 #include "widgets/scene3d/stereo_mode.h"

@@ -4,7 +4,7 @@
 
 #include "app/window/arranged_item.h"
 #include "app/window/feature_store.h"
-#include "engine/product/feature_snap.h"
+#include "engine/fits/feature_snap.h"
 
 namespace glissade {
 

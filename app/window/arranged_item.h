@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "engine/scenario/assembly_edits.h"
+#include "engine/files/assembly_edits.h"
 #include "widgets/scene3d/scene_pick.h"
 #include "widgets/scene3d/scene_view.h"
 

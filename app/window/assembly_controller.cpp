@@ -11,7 +11,7 @@
 #include "app/window/end_clearance.h"
 #include "app/window/workbench.h"
 #include "engine/base/number_text.h"
-#include "engine/scenario/scenario_bodies.h"
+#include "engine/files/scenario_bodies.h"
 #include "widgets/commands/length_text.h"
 
 namespace glissade {

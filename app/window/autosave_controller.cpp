@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/window/preferences.h"
-#include "engine/scenario/scenario_io.h"
+#include "engine/files/scenario_io.h"
 
 namespace glissade {
 namespace {

@@ -9,7 +9,7 @@
 #include <memory>
 #include <optional>
 
-#include "engine/scenario/autosave.h"
+#include "engine/files/autosave.h"
 
 namespace glissade {
 

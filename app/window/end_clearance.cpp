@@ -1,7 +1,7 @@
 #include "app/window/end_clearance.h"
 
+#include "engine/files/scenario_fits.h"
 #include "engine/planning/automatic/move_to_clearance.h"
-#include "engine/scenario/scenario_fits.h"
 
 namespace glissade {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/scenario/assembly_edits.h"
+#include "engine/files/assembly_edits.h"
 
 namespace glissade {
 

@@ -8,9 +8,9 @@
 
 #include "app/window/scene_target.h"
 #include "engine/base/number_text.h"
-#include "engine/environment/place_identifier.h"
+#include "engine/files/scenario_bodies.h"
+#include "engine/places/place_identifier.h"
 #include "engine/planning/fine/coarse_preview.h"
-#include "engine/scenario/scenario_bodies.h"
 #include "widgets/commands/diagnostic_text.h"
 #include "widgets/document/complexity_colour.h"
 #include "widgets/scene3d/environment_layers.h"

@@ -2,7 +2,7 @@
 
 #include <QFileDialog>
 
-#include "engine/scenario/path_exporter.h"
+#include "engine/files/path_exporter.h"
 
 namespace glissade {
 

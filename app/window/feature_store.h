@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/window/workbench.h"
-#include "engine/product/snap_features.h"
+#include "engine/fits/snap_features.h"
 #include "widgets/bridge/background_task.h"
 
 namespace glissade {

@@ -9,9 +9,9 @@
 #include "app/window/plain_message_box.h"
 #include "app/window/proposed_file.h"
 #include "app/window/save_conflict.h"
-#include "engine/scenario/part_files.h"
-#include "engine/scenario/path_reader.h"
-#include "engine/scenario/product_name.h"
+#include "engine/files/part_files.h"
+#include "engine/files/path_reader.h"
+#include "engine/files/product_name.h"
 
 namespace glissade {
 

@@ -7,7 +7,7 @@
 #include "app/window/path_controller.h"
 #include "app/window/save_controller.h"
 #include "app/window/window_memory.h"
-#include "engine/scenario/scenario_file.h"
+#include "engine/files/scenario_file.h"
 
 namespace glissade {
 

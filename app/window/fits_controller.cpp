@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "engine/product/fit_edits.h"
-#include "engine/product/fit_table.h"
-#include "engine/scenario/product_file.h"
+#include "engine/files/product_file.h"
+#include "engine/fits/fit_edits.h"
+#include "engine/fits/fit_table.h"
 
 namespace glissade {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "engine/product/joint_finder.h"
-#include "engine/scenario/product_file.h"
-#include "engine/scenario/scenario_fits.h"
-#include "engine/scenario/sequence_knowledge.h"
+#include "engine/files/product_file.h"
+#include "engine/files/scenario_fits.h"
+#include "engine/files/sequence_knowledge.h"
+#include "engine/fits/joint_finder.h"
 #include "widgets/panels/joint_dialog.h"
 #include "widgets/panels/joint_draft.h"
 

@@ -5,8 +5,8 @@
 
 #include "engine/base/enum_names.h"
 #include "engine/base/number_text.h"
+#include "engine/files/scenario_bodies.h"
 #include "engine/planning/path_examination.h"
-#include "engine/scenario/scenario_bodies.h"
 
 namespace glissade {
 namespace {

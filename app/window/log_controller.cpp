@@ -9,7 +9,7 @@
 
 #include "app/version_text.h"
 #include "app/window/status_text.h"
-#include "engine/scenario/product_name.h"
+#include "engine/files/product_name.h"
 #include "widgets/commands/diagnostic_text.h"
 #include "widgets/panels/kept_paths_panel.h"
 

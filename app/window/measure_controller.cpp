@@ -12,7 +12,7 @@
 #include <numbers>
 
 #include "app/window/scene_ray.h"
-#include "engine/product/contact_report.h"
+#include "engine/fits/contact_report.h"
 #include "widgets/commands/length_text.h"
 #include "widgets/scene3d/camera_controller.h"
 

@@ -1,6 +1,6 @@
 #include "app/window/part_import.h"
 
-#include "engine/scenario/scenario_io.h"
+#include "engine/files/scenario_io.h"
 
 namespace glissade {
 

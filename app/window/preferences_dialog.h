@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "app/window/preferences.h"
-#include "engine/environment/rigid_body.h"
+#include "engine/places/rigid_body.h"
 #include "widgets/commands/action_catalogue.h"
 
 namespace glissade {

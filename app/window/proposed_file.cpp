@@ -1,6 +1,6 @@
 #include "app/window/proposed_file.h"
 
-#include "engine/scenario/product_name.h"
+#include "engine/files/product_name.h"
 
 namespace glissade {
 

@@ -5,8 +5,8 @@
 #include <QPushButton>
 
 #include "app/window/proposed_file.h"
-#include "engine/scenario/run_journal.h"
-#include "engine/scenario/run_record.h"
+#include "engine/files/run_journal.h"
+#include "engine/files/run_record.h"
 
 namespace glissade {
 

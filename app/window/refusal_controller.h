@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/window/workbench.h"
-#include "engine/scenario/end_conflicts.h"
+#include "engine/files/end_conflicts.h"
 #include "widgets/bridge/background_task.h"
 #include "widgets/panels/notice_bar.h"
 

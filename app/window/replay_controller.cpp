@@ -7,7 +7,7 @@
 
 #include "app/script/script_commands.h"
 #include "engine/base/number_text.h"
-#include "engine/scenario/run_record.h"
+#include "engine/files/run_record.h"
 #include "engine/session/run_comparison.h"
 #include "widgets/commands/diagnostic_text.h"
 

@@ -10,7 +10,7 @@
 #include "engine/base/file.h"
 #include "engine/base/file_versions.h"
 #include "engine/base/limits.h"
-#include "engine/scenario/scenario_file.h"
+#include "engine/files/scenario_file.h"
 
 namespace glissade {
 namespace {

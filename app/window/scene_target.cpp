@@ -1,7 +1,7 @@
 #include "app/window/scene_target.h"
 
 #include "app/window/scene_ray.h"
-#include "engine/scenario/scenario_bodies.h"
+#include "engine/files/scenario_bodies.h"
 
 namespace glissade {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "app/window/sequence_controller.h"
 #include "app/window/sequence_edits.h"
+#include "engine/files/hand_run.h"
 #include "engine/planning/smoothing/shortcuts.h"
-#include "engine/scenario/hand_run.h"
 #include "engine/sequence/demand_conflicts.h"
 #include "engine/sequence/demand_edits.h"
 

@@ -2,8 +2,8 @@
 
 #include <QFileInfo>
 
-#include "engine/scenario/plan_file.h"
-#include "engine/scenario/plan_glb.h"
+#include "engine/files/plan_file.h"
+#include "engine/files/plan_glb.h"
 #include "engine/study/plan_table.h"
 
 namespace glissade {

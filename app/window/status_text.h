@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "engine/scenario/scenario.h"
+#include "engine/files/scenario.h"
 #include "engine/session/session.h"
 
 namespace glissade {

@@ -8,7 +8,7 @@
 #include "app/window/workbench.h"
 #include "engine/base/file.h"
 #include "engine/base/number_text.h"
-#include "engine/scenario/scenario_file.h"
+#include "engine/files/scenario_file.h"
 #include "widgets/commands/window_language.h"
 #include "widgets/plots/picture_file.h"
 #include "widgets/plots/plot_view.h"

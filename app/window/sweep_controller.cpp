@@ -4,7 +4,7 @@
 
 #include "app/window/proposed_file.h"
 #include "engine/base/volume_unit.h"
-#include "engine/scenario/swept_volume_file.h"
+#include "engine/files/swept_volume_file.h"
 #include "engine/sweep/swept_bodies.h"
 #include "widgets/commands/length_text.h"
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "engine/base/number_text.h"
-#include "engine/scenario/work_times_json.h"
+#include "engine/files/work_times_json.h"
 #include "widgets/studies/plan_graph_view.h"
 #include "widgets/studies/times_view.h"
 

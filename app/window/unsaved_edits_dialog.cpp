@@ -9,8 +9,8 @@
 #include "app/window/plain_message_box.h"
 #include "engine/base/file.h"
 #include "engine/base/limits.h"
-#include "engine/scenario/product_name.h"
-#include "engine/scenario/scenario_file.h"
+#include "engine/files/product_name.h"
+#include "engine/files/scenario_file.h"
 #include "widgets/commands/diagnostic_text.h"
 
 namespace glissade {

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "engine/scenario/autosave.h"
+#include "engine/files/autosave.h"
 
 namespace glissade {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "engine/product/alternatives.h"
-#include "engine/scenario/assembly_edits.h"
-#include "engine/scenario/scenario_bodies.h"
+#include "engine/files/assembly_edits.h"
+#include "engine/files/scenario_bodies.h"
+#include "engine/fits/alternatives.h"
 #include "widgets/scene3d/camera_controller.h"
 
 namespace glissade {

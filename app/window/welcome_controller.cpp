@@ -7,7 +7,7 @@
 #include <QVBoxLayout>
 
 #include "app/window/sample_scenarios.h"
-#include "engine/scenario/scenario_bodies.h"
+#include "engine/files/scenario_bodies.h"
 #include "widgets/plots/picture_file.h"
 #include "widgets/scene3d/camera_controller.h"
 

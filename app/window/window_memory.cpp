@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/base/enum_names.h"
-#include "engine/scenario/work_times_json.h"
+#include "engine/files/work_times_json.h"
 
 namespace glissade {
 namespace {

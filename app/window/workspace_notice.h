@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "app/window/workbench.h"
-#include "engine/scenario/assembly_edits.h"
+#include "engine/files/assembly_edits.h"
 #include "widgets/panels/notice_bar.h"
 
 namespace glissade {

@@ -6,7 +6,7 @@
 #include "engine/access/hand_search.h"
 #include "engine/access/sight.h"
 #include "engine/base/work_watch.h"
-#include "engine/product/assembled_product.h"
+#include "engine/fits/assembled_product.h"
 #include "engine/sequence/assembly_plan.h"
 
 namespace glissade {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "engine/environment/rigid_body.h"
 #include "engine/geometry/triangle_tree.h"
+#include "engine/places/rigid_body.h"
 
 namespace glissade {
 

@@ -77,10 +77,12 @@ Outcome copyRights(const SaveTarget& target, int to, Warnings& warnings) {
 
 void warnOfHardLinks(const SaveTarget& target, Warnings& warnings) {
   if (!target.exists || target.status.st_nlink < 2) return;
-  warnings.push_back(warning(target,
-                             {GLISSADE_TEXT("the file has %1 more names (hard links), which keep the old content"),
-                              {target.status.st_nlink - 1}},
-                             GLISSADE_TEXT("Copy the file over them, or link them again.")));
+  warnings.push_back(warning(
+      target,
+      {GLISSADE_TEXT(
+           "the file has %1 more {1|name (hard link), which keeps|names (hard links), which keep} the old content"),
+       {target.status.st_nlink - 1}},
+      GLISSADE_TEXT("Copy the file over them, or link them again.")));
 }
 
 /// The present content, if it is needed.

@@ -19,8 +19,9 @@ enum class Language { English, French };
 std::optional<Language> languageOf(std::string_view code);
 const char* code(Language language);
 
-/// An English text of the catalogue `resources/i18n`, with %1 to %9 where arguments are. GLISSADE_TEXT makes it, so
-/// that lupdate finds every text.
+/// An English text of the catalogue `resources/i18n`, with %1 to %9 where arguments are. "{1|part|parts}" is the first
+/// form where argument 1 is a singular number in the reader's language. GLISSADE_TEXT makes the text, so that lupdate
+/// finds every text.
 struct CatalogueText {
   const char* english;
 };

@@ -1,8 +1,12 @@
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
 
 #include "engine/base/depth_text.h"
 #include "engine/base/french_texts.h"
 #include "engine/base/message.h"
+#include "engine/base/number_text.h"
 #include "engine/base/overloaded.h"
 #include "engine/base/quantity_text.h"
 
@@ -37,6 +41,33 @@ bool isPlaceholder(std::string_view text, std::size_t at) {
   return text[at] == '%' && at + 1 < text.size() && text[at + 1] >= '1' && text[at + 1] <= '9';
 }
 
+/// True if a noun with this number is singular. English: one; French: less than two.
+bool isSingular(std::string number, Language language) {
+  if (language == Language::English) return number == "1";
+  std::replace(number.begin(), number.end(), ',', '.');
+  const auto value = toNumber(number);
+  return value && std::abs(*value) < 2.0;
+}
+
+/// The two forms of a word at a place of a text: "{1|part|parts}", the first one where argument 1 is singular.
+struct NumberForms {
+  std::size_t argument;
+  std::string_view singular;
+  std::string_view plural;
+  std::size_t length;  ///< of the whole, with its braces
+};
+
+std::optional<NumberForms> formsAt(std::string_view text) {
+  const std::size_t end = text.find('}');
+  if (end == std::string_view::npos || end < 4 || text[0] != '{' || text[1] < '1' || text[1] > '9' || text[2] != '|') {
+    return std::nullopt;
+  }
+  const std::string_view forms = text.substr(3, end - 3);
+  const std::size_t bar = forms.find('|');
+  if (bar == std::string_view::npos) return std::nullopt;
+  return NumberForms{static_cast<std::size_t>(text[1] - '1'), forms.substr(0, bar), forms.substr(bar + 1), end + 1};
+}
+
 }  // namespace
 
 bool hasFrench(std::string_view english) { return findFrench(english) != frenchTexts().end(); }
@@ -47,9 +78,14 @@ std::string toString(const Message& message, const MessageStyle& style) {
   std::string filled;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const std::size_t argument = isPlaceholder(text, i) ? static_cast<std::size_t>(text[i + 1] - '1') : 9;
+    const auto forms = formsAt(text.substr(i));
     if (argument < message.arguments.size()) {
       filled += toString(message.arguments[argument], style);
       ++i;
+    } else if (forms && forms->argument < message.arguments.size()) {
+      std::string number = toString(message.arguments[forms->argument], style);
+      filled += isSingular(std::move(number), style.language) ? forms->singular : forms->plural;
+      i += forms->length - 1;
     } else {
       filled += text[i];
     }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
+#include "engine/base/number_text.h"
 #include "engine/base/tolerances.h"
 
 namespace glissade {
@@ -89,21 +89,14 @@ constexpr std::array<ParameterSpec, kParameterCount> kTable{{
                    "first paper's planner made 40.")},
 }};
 
-/// The number with six significant digits.
-std::string shortNumber(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
 Diagnostic outOfRange(const ParameterSpec& spec, double value, const ParameterRange& range) {
   const CatalogueText number = spec.integer ? GLISSADE_TEXT("a whole number") : GLISSADE_TEXT("a number");
-  const std::string most = shortNumber(range.maximum) + (spec.unit.empty() ? "" : " ") + std::string(spec.unit);
+  const std::string most = shortText(range.maximum) + (spec.unit.empty() ? "" : " ") + std::string(spec.unit);
   return {ErrorKind::Usage,
           "",
           std::string(spec.key),
-          {GLISSADE_TEXT("%1 is %2, which is not allowed"), {spec.label, shortNumber(value)}},
-          {GLISSADE_TEXT("Give %1 from %2 to %3."), {number, shortNumber(range.minimum), most}}};
+          {GLISSADE_TEXT("%1 is %2, which is not allowed"), {spec.label, shortText(value)}},
+          {GLISSADE_TEXT("Give %1 from %2 to %3."), {number, shortText(range.minimum), most}}};
 }
 
 /// The largest of 1, 2 and 5 times a power of ten that is not above the value, as a person would write it. A value that

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/check/turn.h"
+#include "engine/evidence/turn.h"
 
 namespace glissade::check {
 namespace {

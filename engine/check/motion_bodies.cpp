@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/check/thinning.h"
+#include "engine/evidence/thinning.h"
 
 namespace glissade::check {
 namespace {

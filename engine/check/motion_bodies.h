@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "engine/check/motion_check.h"
-#include "engine/check/thinning.h"
-#include "engine/check/thread_core.h"
+#include "engine/evidence/thinning.h"
+#include "engine/evidence/thread_core.h"
 
 namespace glissade::check {
 

@@ -8,7 +8,7 @@
 
 #include "engine/check/motion_geometry.h"
 #include "engine/check/thread_motion.h"
-#include "engine/check/turn.h"
+#include "engine/evidence/turn.h"
 
 namespace glissade::check {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "engine/base/message.h"
 #include "engine/base/work_watch.h"
-#include "engine/check/body.h"
-#include "engine/check/thread.h"
 #include "engine/check/verdict.h"
+#include "engine/evidence/body.h"
+#include "engine/evidence/thread.h"
 
 namespace glissade::check {
 

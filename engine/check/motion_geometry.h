@@ -17,9 +17,9 @@
 #include "engine/check/edge_proof.h"
 #include "engine/check/helix.h"
 #include "engine/check/motion_check.h"
-#include "engine/check/ray_containment.h"
 #include "engine/check/sweep.h"
-#include "engine/check/turn.h"
+#include "engine/evidence/ray_containment.h"
+#include "engine/evidence/turn.h"
 #include "engine/geometry/fcl_scale.h"
 
 /// Private data of MotionCheck, included by its implementation only.

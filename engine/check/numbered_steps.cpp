@@ -17,7 +17,7 @@ std::set<std::size_t> predecessorsOf(std::size_t number, const std::vector<std::
   for (const std::size_t each : numbered.step->after) {
     if (each == 0 || each >= number) {
       numbered.wrong.push_back(
-          {GLISSADE_TEXT("it states \"after\": %1, and %2 steps come before it"), {each, number - 1}});
+          {GLISSADE_TEXT("it states \"after\": %1, and %2 {2|step comes|steps come} before it"), {each, number - 1}});
       continue;
     }
     before.insert(each);

@@ -5,9 +5,9 @@
 #include "engine/check/pair_work.h"
 #include "engine/check/taken_core.h"
 #include "engine/check/taken_hollow.h"
-#include "engine/check/thinning.h"
 #include "engine/check/thread_axis.h"
 #include "engine/check/verdict_words.h"
+#include "engine/evidence/thinning.h"
 
 namespace glissade::check {
 namespace {

@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "engine/base/message.h"
-#include "engine/check/evidence.h"
-#include "engine/check/named_screw.h"
 #include "engine/check/path.h"
-#include "engine/check/placed_bodies.h"
-#include "engine/check/thread.h"
-#include "engine/check/thread_core.h"
+#include "engine/evidence/evidence.h"
+#include "engine/evidence/named_screw.h"
+#include "engine/evidence/placed_bodies.h"
+#include "engine/evidence/thread.h"
+#include "engine/evidence/thread_core.h"
 
 namespace glissade::check {
 

@@ -4,19 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "engine/check/evidence.h"
+#include "engine/evidence/evidence.h"
+#include "engine/evidence/thread.h"
 #include "engine/geometry/pose.h"
 
 namespace glissade::check {
-
-/// A thread as a file states it, in the world frame where the product is assembled.
-struct StatedThread {
-  Vector3 point = Vector3::Zero();
-  Vector3 direction = Vector3::UnitZ();
-  double pitch = 0.0;
-  double radiusMoving = 0.0;
-  double radiusOther = 0.0;
-};
 
 /// An allowance as a file states it.
 struct StatedAllowance {

@@ -1,4 +1,5 @@
 #include "engine/check/path_verdict.h"
+#include "engine/check/product.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,8 +7,7 @@
 namespace glissade::check {
 
 Message plainOverlapsInWords(std::size_t pairs) {
-  if (pairs == 1) return GLISSADE_TEXT("1 pair overlaps without being a fit, a thread or a press");
-  return {GLISSADE_TEXT("%1 pairs overlap without being a fit, a thread or a press"), {pairs}};
+  return {GLISSADE_TEXT("%1 {1|pair overlaps|pairs overlap} without being a fit, a thread or a press"), {pairs}};
 }
 
 void addPlainOverlaps(const std::vector<AppliedAllowance>& allowances, std::vector<PlainOverlap>& overlaps) {

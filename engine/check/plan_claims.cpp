@@ -83,8 +83,8 @@ std::vector<Message> wrongClaims(const Product& product, const Plan& plan, std::
     wrong.emplace_back(
         GLISSADE_TEXT("the plan is called complete, and all of its bodies stay: nothing is taken apart"));
   } else if (plan.end == "complete" && removed < parts) {
-    wrong.push_back(
-        {GLISSADE_TEXT("the plan is called complete, and %1 of %2 parts have no step"), {parts - removed, parts}});
+    wrong.push_back({GLISSADE_TEXT("the plan is called complete, and %1 of %2 {2|part|parts} {1|has|have} no step"),
+                     {parts - removed, parts}});
   }
   return wrong;
 }

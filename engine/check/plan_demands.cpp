@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "engine/assembly/body_choice.h"
 #include "engine/check/kept_directions.h"
+#include "engine/model/body_choice.h"
 
 namespace glissade::check {
 namespace {

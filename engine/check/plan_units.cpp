@@ -4,8 +4,8 @@
 #include <set>
 
 #include "engine/check/plan_demands.h"
-#include "engine/check/pulled_thread.h"
 #include "engine/check/verdict_words.h"
+#include "engine/evidence/pulled_thread.h"
 
 namespace glissade::check {
 namespace {

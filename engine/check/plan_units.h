@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "engine/check/condition.h"
-#include "engine/check/placed_bodies.h"
 #include "engine/check/plan.h"
+#include "engine/evidence/placed_bodies.h"
 
 namespace glissade::check {
 

@@ -5,64 +5,13 @@
 #include <utility>
 #include <vector>
 
-#include "engine/assembly/missing_shape.h"
-#include "engine/assembly/product.h"
 #include "engine/base/diagnostic.h"
-#include "engine/check/body.h"
+#include "engine/evidence/body.h"
+#include "engine/evidence/pair_words.h"
+#include "engine/model/missing_shape.h"
+#include "engine/model/product.h"
 
 namespace glissade::check {
-
-/// A person's statement about a pair of bodies, named by id.
-struct PairWord {
-  std::string a;
-  std::string b;
-  std::string kind{};                 ///< kind as in the file; empty: not stated
-  std::optional<double> allowance{};  ///< metres, >= 0; 0: clearance is required
-  bool accepted = false;              ///< the clash of the pair is accepted
-  std::optional<double> pitch{};      ///< pitch of a thread, metres; below 0: left-handed
-  std::string turned{};               ///< id of the body that is turned in a thread; empty: not stated
-
-  bool isThread() const { return kind == "thread"; }
-};
-
-/// A person's statement about a snap: its hook bends while the body leaves.
-struct SnapWord {
-  std::string hook;                      ///< id of the body with the hook
-  std::string edge;                      ///< id of the body that it is hooked into
-  double bend = 0.0;                     ///< metres, > 0
-  Vector3 direction = Vector3::UnitZ();  ///< unit, world frame: exit direction of the body with the hook
-  bool byPlan = false;                   ///< only a plan states it
-
-  bool operator==(const SnapWord&) const = default;
-};
-
-/// A person's statements about threads and inserts that come apart without a turn.
-struct PartingWords {
-  bool anyPair = false;                                      ///< joints are not used
-  std::vector<std::pair<std::string, std::string>> pairs{};  ///< ids, the lesser first
-};
-
-struct FitWords {
-  bool on = false;             ///< false: each pair has to keep the clearance
-  double acceptedClash = 0.0;  ///< metres: clashes up to this overlap are accepted
-  std::vector<PairWord> pairs{};
-  std::vector<SnapWord> snaps{};
-  PartingWords partings{};
-  std::vector<std::string> cut{};  ///< bodies that are cut in accepted clashes: ids, or the ends of ids behind a "/"
-
-  bool isCut(const std::string& id) const;
-  /// The statement about the pair in either order; null: there is none.
-  const PairWord* about(const std::string& a, const std::string& b) const;
-  /// The snap of the pair in either order; null: the pair is no snap.
-  const SnapWord* snapOf(const std::string& a, const std::string& b) const;
-  /// The statement by which the pair may come apart without a turn, for people; empty: none.
-  Message partingOf(const std::string& a, const std::string& b) const;
-  /// True if a person accepts a clash of this depth, metres, to a nanometre. `word`: the statement about the pair, or
-  /// null.
-  bool accepts(const PairWord* word, double depth) const {
-    return (acceptedClash > 0.0 && depth <= acceptedClash + 1e-9) || (word != nullptr && word->accepted);
-  }
-};
 
 /// A person's statements about joints, except bends and partings; bodies by id.
 struct JointWords {

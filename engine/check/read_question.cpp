@@ -5,8 +5,6 @@
 #include <filesystem>
 #include <map>
 
-#include "engine/assembly/body_choice.h"
-#include "engine/assembly/body_path.h"
 #include "engine/base/file.h"
 #include "engine/base/limits.h"
 #include "engine/check/scenario_json.h"
@@ -20,6 +18,8 @@
 #include "engine/import/step_import.h"
 #include "engine/import/step_parts.h"
 #include "engine/import/unread_kind.h"
+#include "engine/model/body_choice.h"
+#include "engine/model/body_path.h"
 
 namespace glissade::check {
 namespace {

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "engine/base/number_text.h"
 #include "engine/check/motion_setup.h"
 #include "engine/check/pair_work.h"
 #include "engine/check/verdict_words.h"
@@ -68,7 +69,7 @@ class Numbers {
   /// `of`: the joint or the allowance that the number belongs to.
   void refuse(const char* key, double stated, const MessageArgument& found, const Message& of) {
     wrong_.push_back(
-        {GLISSADE_TEXT("it states \"%1\": %2 of %3, and the judge finds %4"), {key, numberText(stated), of, found}});
+        {GLISSADE_TEXT("it states \"%1\": %2 of %3, and the judge finds %4"), {key, shortText(stated), of, found}});
   }
 
   const Body* bodyOf(const std::string& id) const {
@@ -77,7 +78,7 @@ class Numbers {
     return found == question_.product.bodies.end() ? nullptr : &*found;
   }
 
-  static Message atMost(double value) { return {GLISSADE_TEXT("at most %1"), {numberText(value)}}; }
+  static Message atMost(double value) { return {GLISSADE_TEXT("at most %1"), {shortText(value)}}; }
 
   /// The name for people, or the id if there is no such body.
   std::string nameOf(const std::string& id) const {
@@ -95,29 +96,29 @@ class Numbers {
   void compareProof(const StatedProof& proof) {
     const std::size_t before = question_.numbered.earlier;
     if (proof.afterSteps > before) {
-      refuse("after_steps", proof.afterSteps, Message{GLISSADE_TEXT("%1 steps before it"), {before}});
+      refuse("after_steps", proof.afterSteps, Message{GLISSADE_TEXT("%1 {1|step|steps} before it"), {before}});
     }
     if (!proof.nearest.empty() && bodyOf(proof.nearest) == nullptr) {
       refuse("nearest", Message{GLISSADE_TEXT("'%1'"), {proof.nearest}}, GLISSADE_TEXT("no such body"));
     }
     if (proof.required && question_.required && !isNear(*proof.required, *question_.required, kClearanceShare, 0.0)) {
-      refuse("required_m", numberText(*proof.required), numberText(*question_.required));
+      refuse("required_m", shortText(*proof.required), shortText(*question_.required));
     }
     const double met = question_.farthest;
     if (proof.provedClearance && *proof.provedClearance > (1.0 + kClearanceShare) * met + kLeastLength) {
-      refuse("proved_clearance_m", numberText(*proof.provedClearance), atMost(met));
+      refuse("proved_clearance_m", shortText(*proof.provedClearance), atMost(met));
     }
     const double proved = question_.verdict.motion.verdict.provedClearance;
     const bool isOfSameBodies = proof.afterSteps == before;
     if (proof.minClearance && isOfSameBodies && question_.verdict.certified() &&
         *proof.minClearance < (1.0 - kClearanceShare) * proved - kLeastLength) {
-      refuse("min_clearance_m", numberText(*proof.minClearance),
-             Message{GLISSADE_TEXT("at least %1"), {numberText(proved)}});
+      refuse("min_clearance_m", shortText(*proof.minClearance),
+             Message{GLISSADE_TEXT("at least %1"), {shortText(proved)}});
     }
     if (proof.minClearance && proof.provedClearance &&
         *proof.minClearance < (1.0 - kClearanceShare) * *proof.provedClearance) {
-      refuse("min_clearance_m", numberText(*proof.minClearance),
-             Message{GLISSADE_TEXT("at least the proved %1"), {numberText(*proof.provedClearance)}});
+      refuse("min_clearance_m", shortText(*proof.minClearance),
+             Message{GLISSADE_TEXT("at least the proved %1"), {shortText(*proof.provedClearance)}});
     }
     if (proof.minClearance && std::isfinite(met) && !std::isfinite(*proof.minClearance)) {
       refuse("min_clearance_m", "null", atMost(met));
@@ -127,13 +128,13 @@ class Numbers {
   void compareJoint(const StatedJoint& joint) {
     const Message of{GLISSADE_TEXT("the joint of '%1'"), {nameOf(joint.body)}};
     if (joint.turns && !isNear(*joint.turns, turning_.turns, kTurnShare, kLeastTurn)) {
-      refuse("turns", *joint.turns, numberText(turning_.turns), of);
+      refuse("turns", *joint.turns, shortText(turning_.turns), of);
     }
     const bool turns = joint.turns && *joint.turns > 0.0 && turning_.pitch != 0.0;
     if (joint.pitch && *joint.pitch != 0.0 && turns) {
       // The hand is that of the motion, whichever of the two bodies moves.
       if (!isNear(*joint.pitch, turning_.pitch, kEstimate, kLeastLength)) {
-        refuse("pitch_m", *joint.pitch, numberText(turning_.pitch), of);
+        refuse("pitch_m", *joint.pitch, shortText(turning_.pitch), of);
       }
     }
     if (joint.diameter && *joint.diameter > 0.0) compareDiameter(joint, of);
@@ -162,9 +163,9 @@ class Numbers {
     const bool isDrawn = nearest > (1.0 - kCoreShare) * *joint.diameter - kLeastLength &&
                          nearest < (1.0 + kDiameterShare) * *joint.diameter;
     if (nearest > 0.0 && !isDrawn) {
-      refuse("diameter_m", *joint.diameter, Message{GLISSADE_TEXT("a cylinder of %1"), {numberText(nearest)}}, of);
+      refuse("diameter_m", *joint.diameter, Message{GLISSADE_TEXT("a cylinder of %1"), {shortText(nearest)}}, of);
     } else if (nearest == 0.0 && *joint.diameter > largest) {
-      refuse("diameter_m", *joint.diameter, Message{GLISSADE_TEXT("bodies of %1"), {numberText(largest)}}, of);
+      refuse("diameter_m", *joint.diameter, Message{GLISSADE_TEXT("bodies of %1"), {shortText(largest)}}, of);
     }
   }
 
@@ -174,7 +175,7 @@ class Numbers {
       const double bend = snap == nullptr ? 0.0 : snap->bend;
       if (isNear(*joint.bend, bend, kEstimate, kLeastLength)) continue;
       const MessageArgument noWord = GLISSADE_TEXT("no word about a bend");
-      refuse("bend_m", *joint.bend, snap == nullptr ? noWord : numberText(bend), of);
+      refuse("bend_m", *joint.bend, snap == nullptr ? noWord : shortText(bend), of);
     }
   }
 
@@ -185,7 +186,7 @@ class Numbers {
     if (body == nullptr) return;
     const double size = boundingBox(*body->mesh).diagonal().norm();
     if (*joint.driveSize > size) {
-      refuse("drive_size_m", *joint.driveSize, Message{GLISSADE_TEXT("a body of %1"), {numberText(size)}}, of);
+      refuse("drive_size_m", *joint.driveSize, Message{GLISSADE_TEXT("a body of %1"), {shortText(size)}}, of);
       return;
     }
     const bool isHexagon = joint.drive == "hex" || joint.drive == "hex_socket";
@@ -230,7 +231,7 @@ class Numbers {
     const std::string moving = stated.moving.empty() ? step_.bodies.front() : stated.moving;
     const Message of{GLISSADE_TEXT("the allowance for '%1' and '%2'"), {nameOf(moving), nameOf(stated.body)}};
     if (stated.turns && *stated.turns > turning_.turns * (1.0 + kTurnShare) + kLeastTurn) {
-      refuse("turns", *stated.turns, numberText(turning_.turns), of);
+      refuse("turns", *stated.turns, shortText(turning_.turns), of);
     }
     bool isKnown = false;
     bool isOverlap = !stated.overlap;
@@ -242,10 +243,10 @@ class Numbers {
       isKnown = true;
       if (stated.overlap) isOverlap = isOverlap || isOverlapOf(*stated.overlap, applied);
       if (stated.evidence) isEvidence = isEvidence || isEvidenceOf(*stated.evidence, applied.evidence);
-      overlap = numberText(applied.evidence.overlap);
-      evidence = numberText(applied.evidence.sum());
+      overlap = shortText(applied.evidence.overlap);
+      evidence = shortText(applied.evidence.sum());
       if (applied.hollow && stated.hollow && !isNear(stated.allowance, applied.most, kEstimate, kLeastLength)) {
-        refuse("allowance_m", stated.allowance, numberText(applied.most), of);
+        refuse("allowance_m", stated.allowance, shortText(applied.most), of);
       }
     }
     if (!isKnown) return;

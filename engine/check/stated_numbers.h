@@ -5,8 +5,8 @@
 
 #include "engine/base/message.h"
 #include "engine/check/numbered_steps.h"
-#include "engine/check/placed_bodies.h"
 #include "engine/check/plan_verdict.h"
+#include "engine/evidence/placed_bodies.h"
 
 namespace glissade::check {
 

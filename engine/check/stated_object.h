@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/check/body.h"
 #include "engine/check/scenario_json.h"
+#include "engine/evidence/body.h"
 
 namespace glissade::check {
 

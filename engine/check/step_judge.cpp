@@ -5,10 +5,10 @@
 
 #include "engine/base/parameters.h"
 #include "engine/check/pair_work.h"
-#include "engine/check/pulled_thread.h"
 #include "engine/check/standard_pitch.h"
 #include "engine/check/stated_numbers.h"
 #include "engine/check/verdict_words.h"
+#include "engine/evidence/pulled_thread.h"
 
 namespace glissade::check {
 namespace {

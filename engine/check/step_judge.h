@@ -4,8 +4,8 @@
 
 #include "engine/check/motion_bodies.h"
 #include "engine/check/numbered_steps.h"
-#include "engine/check/placed_bodies.h"
 #include "engine/check/plan_verdict.h"
+#include "engine/evidence/placed_bodies.h"
 
 namespace glissade::check {
 

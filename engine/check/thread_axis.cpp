@@ -5,8 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "engine/check/verdict_words.h"
-
 namespace glissade::check {
 namespace {
 
@@ -89,14 +87,6 @@ Result<Thread> threadAxis(const PlacedBody& moving, const PlacedBody& other,
   return noThread(
       GLISSADE_TEXT("a person calls the pair a thread, but no shaft of the one is on the axis of a hole of the other"),
       GLISSADE_TEXT("Give the pair another kind."));
-}
-
-Message wrongPitch(const Thread& thread) {
-  const double diameter = 2.0 * std::max(thread.radiusMoving, thread.radiusOther);
-  const double pitch = std::abs(thread.pitch);
-  if (pitch >= kLeastThreadPitch && pitch <= kMostPitchInDiameters * diameter) return {};
-  return {GLISSADE_TEXT("a pitch of %1 mm is none of a thread of %2 mm: it has to be from 0.01 mm to two diameters"),
-          {numberText(pitch * 1e3), numberText(diameter * 1e3)}};
 }
 
 }  // namespace glissade::check

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/enum_names.h"
+#include "engine/base/number_text.h"
 #include "engine/check/plain_overlaps.h"
 #include "engine/check/verdict_words.h"
 #include "engine/geometry/pose_json.h"
@@ -32,12 +33,12 @@ std::size_t slidingEdges(const MotionVerdict& verdict) {
 Message certifiedInWords(const MotionVerdict& verdict, const std::string& body) {
   Message near = GLISSADE_TEXT("nothing near");
   if (!body.empty()) {
-    near = {GLISSADE_TEXT("clearance %1 mm to '%2'"), {numberText(verdict.minClearance * 1e3), body}};
+    near = {GLISSADE_TEXT("clearance %1 mm to '%2'"), {shortText(verdict.minClearance * 1e3), body}};
   }
-  const std::string demanded = numberText(verdict.demanded * 1e3);
+  const std::string demanded = shortText(verdict.demanded * 1e3);
   const std::size_t sliding = slidingEdges(verdict);
   if (sliding == 0) return {GLISSADE_TEXT("certified: %1 (required %2 mm)"), {near, demanded}};
-  return {GLISSADE_TEXT("certified: %1 (required %2 mm, %3 of %4 edges slide)"),
+  return {GLISSADE_TEXT("certified: %1 (required %2 mm, %3 of %4 {4|edge|edges} {3|slides|slide})"),
           {near, demanded, sliding, verdict.edges.size()}};
 }
 
@@ -48,8 +49,8 @@ Message violatedInWords(const MotionVerdict& verdict, const std::string& body) {
             {verdict.edge, body}};
   }
   return {GLISSADE_TEXT("violated: %1 mm to '%2' on edge %3 at %4 (required %5 mm)"),
-          {numberText(verdict.minClearance * 1e3), body, verdict.edge, numberText(verdict.at),
-           numberText(verdict.demanded * 1e3)}};
+          {shortText(verdict.minClearance * 1e3), body, verdict.edge, shortText(verdict.at),
+           shortText(verdict.demanded * 1e3)}};
 }
 
 Message motionInWords(const MotionVerdict& verdict, const Product& product) {
@@ -124,7 +125,7 @@ Message edgeInWords(std::size_t number, const EdgeVerdict& edge, const Product& 
   const std::string body = bodyName(edge.nearest, product);
   const Message clearance{
       body.empty() ? GLISSADE_TEXT("clearance %1 to %2 mm") : GLISSADE_TEXT("clearance %1 to %2 mm to '%3'"),
-      {numberText(edge.provedClearance * 1e3), numberText(edge.minClearance * 1e3), body}};
+      {shortText(edge.provedClearance * 1e3), shortText(edge.minClearance * 1e3), body}};
   switch (edge.status) {
     case Status::Certified: return {GLISSADE_TEXT("  edge %1: certified, %2"), {number, clearance}};
     case Status::Violated: return {GLISSADE_TEXT("  edge %1: violated, %2"), {number, clearance}};
@@ -198,7 +199,7 @@ Message headlineOf(const PathVerdict& verdict, const Product& product, const Mes
 
 /// The first line of the report.
 Message headlineOf(const PathVerdict& verdict, const Question& question) {
-  Message body{GLISSADE_TEXT("%1 configurations, %2"),
+  Message body{GLISSADE_TEXT("%1 {1|configuration|configurations}, %2"),
                {verdict.configurations, motionInWords(verdict.motion.verdict, question.product)}};
   for (const Message& why : {verdict.motion.why, threadInWords(verdict, question)}) {
     if (!why.empty()) body = {GLISSADE_TEXT("%1: %2"), {body, why}};
@@ -238,7 +239,7 @@ std::string reportText(const PathVerdict& verdict, const Question& question, boo
   if (verdict.spacing > 0.0) {
     lines.push_back({GLISSADE_TEXT("coordinate spacing: mesh files hold 32-bit numbers or were closed at T-junctions, "
                                    "so that bodies may be %1 mm nearer"),
-                     {numberText(verdict.spacing * 1e3)}});
+                     {shortText(verdict.spacing * 1e3)}});
   }
   if (edges) addEdges(verdict.motion.verdict, product, lines);
   if (!verdict.beginsAtStart) lines.push_back(GLISSADE_TEXT("the path does not begin at the scenario's start"));
@@ -349,11 +350,11 @@ void addStep(const StepVerdict& step, const std::string& number, bool isTrusted,
 
 /// How many steps are proved; how many parts leave, in which way, and how many have no step.
 Message countsInWords(const PlanVerdict& verdict) {
-  const Message parts{GLISSADE_TEXT("%1 of %2 parts have no step, %3 leave alone, %4 as units, %5 in groups that are "
-                                    "not taken apart"),
+  const Message parts{GLISSADE_TEXT("%1 of %2 {2|part|parts} {1|has|have} no step, %3 {3|leaves|leave} alone, %4 as "
+                                    "units, %5 in groups that are not taken apart"),
                       {verdict.remaining, verdict.parts, verdict.alone, verdict.asUnits, verdict.inGroups}};
-  return {verdict.stepsWithoutProof() == 0 ? GLISSADE_TEXT("%1 of %2 steps are certified, %3")
-                                           : GLISSADE_TEXT("%1 of %2 steps are as stated, %3"),
+  return {verdict.stepsWithoutProof() == 0 ? GLISSADE_TEXT("%1 of %2 {2|step|steps} {1|is|are} certified, %3")
+                                           : GLISSADE_TEXT("%1 of %2 {2|step|steps} {1|is|are} as stated, %3"),
           {verdict.validSteps(), verdict.steps.size(), parts}};
 }
 
@@ -370,7 +371,8 @@ Message headlineOf(const PlanVerdict& verdict, const Product& product) {
   if (conditions.size() == 1) {
     return {GLISSADE_TEXT("valid only if %1: %2"), {conditions.front().text, counts}};
   }
-  return {GLISSADE_TEXT("valid only under %1 conditions that the plan states itself: %2"), {conditions.size(), counts}};
+  return {GLISSADE_TEXT("valid only under %1 {1|condition|conditions} that the plan states itself: %2"),
+          {conditions.size(), counts}};
 }
 
 /// Adds the conditions that a person has to confirm, each once.
@@ -420,7 +422,8 @@ std::string reportText(const PlanVerdict& verdict, const Product& product, const
   lines.push_back(headlineOf(verdict, product));
   addConditions(verdict, lines);
   if (verdict.stepsWithoutProof() > 0) {
-    lines.push_back({GLISSADE_TEXT("%1 steps of flexible bodies have no proof"), {verdict.stepsWithoutProof()}});
+    lines.push_back({GLISSADE_TEXT("%1 {1|step of a flexible body has|steps of flexible bodies have} no proof"),
+                     {verdict.stepsWithoutProof()}});
   }
   if (!product.missing.empty()) lines.push_back(statementOf(product.missing));
   if (const std::size_t holes = screwHoles(verdict); holes > 0) {

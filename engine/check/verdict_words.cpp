@@ -4,12 +4,6 @@
 
 namespace glissade::check {
 
-std::string numberText(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
 Message pairInWords(const std::string& one, const std::string& other) {
   return {GLISSADE_TEXT("'%1' and '%2'"), {one, other}};
 }

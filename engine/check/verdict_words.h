@@ -8,9 +8,6 @@
 
 namespace glissade::check {
 
-/// A number with six significant digits.
-std::string numberText(double value);
-
 /// "'knob' and 'lip'".
 Message pairInWords(const std::string& one, const std::string& other);
 

@@ -11,7 +11,7 @@
 #include "engine/base/stop_token.h"
 #include "engine/collision/forbidden_regions.h"
 #include "engine/collision/motion_bound.h"
-#include "engine/environment/rigid_body.h"
+#include "engine/places/rigid_body.h"
 
 namespace glissade {
 

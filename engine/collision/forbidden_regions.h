@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "engine/collision/forbidden_motions.h"
-#include "engine/environment/forbidden_places.h"
 #include "engine/geometry/box_hierarchy.h"
+#include "engine/places/forbidden_places.h"
 
 namespace glissade {
 

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "engine/environment/rigid_body.h"
 #include "engine/geometry/mesh_audit.h"
 #include "engine/geometry/solid_interior.h"
+#include "engine/places/rigid_body.h"
 
 namespace glissade {
 

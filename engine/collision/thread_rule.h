@@ -3,8 +3,8 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/environment/rigid_body.h"
 #include "engine/geometry/screw_axis.h"
+#include "engine/places/rigid_body.h"
 
 namespace glissade {
 

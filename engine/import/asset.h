@@ -8,12 +8,12 @@
 #include <variant>
 #include <vector>
 
-#include "engine/assembly/missing_shape.h"
-#include "engine/assembly/occurrence.h"
 #include "engine/base/diagnostic.h"
 #include "engine/base/enum_names.h"
 #include "engine/geometry/triangle_mesh.h"
 #include "engine/import/formats/mesh_content.h"
+#include "engine/model/missing_shape.h"
+#include "engine/model/occurrence.h"
 
 namespace glissade {
 

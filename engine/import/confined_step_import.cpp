@@ -16,7 +16,6 @@
 #include <string_view>
 #include <tuple>
 
-#include "engine/assembly/body_path.h"
 #include "engine/base/message_json.h"
 #include "engine/base/printable_text.h"
 #include "engine/import/brep_parts.h"
@@ -32,6 +31,7 @@
 #include "engine/import/step_tessellation.h"
 #include "engine/import/step_text_check.h"
 #include "engine/import/step_validation_notes.h"
+#include "engine/model/body_path.h"
 
 namespace glissade {
 namespace {
@@ -93,7 +93,9 @@ class AssemblyMessage {
       notes_ += lineOf(
           {protocol::kHealedLine,
            "",
-           {GLISSADE_TEXT("%1 more faces were triangulated from their boundaries"), {healings_ - kMostHealings}}});
+           {GLISSADE_TEXT(
+                "%1 more {1|face was triangulated from its boundary|faces were triangulated from their boundaries}"),
+            {healings_ - kMostHealings}}});
     }
   }
 

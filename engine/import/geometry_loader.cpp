@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <set>
 
-#include "engine/assembly/unique_names.h"
 #include "engine/base/file.h"
 #include "engine/base/number_text.h"
 #include "engine/base/overloaded.h"
@@ -22,6 +21,7 @@
 #include "engine/import/step_import.h"
 #include "engine/import/step_parts.h"
 #include "engine/import/urdf_import.h"
+#include "engine/model/unique_names.h"
 
 namespace glissade {
 namespace {
@@ -65,7 +65,9 @@ void warnOfRemovedTriangles(std::size_t count, const std::string& file, Warnings
   warnings.push_back({ErrorKind::MalformedInput,
                       file,
                       "",
-                      {GLISSADE_TEXT("has %1 triangles with two equal corners, which were left out"), {count}},
+                      {GLISSADE_TEXT("has %1 {1|triangle with two equal corners, which was|triangles with two equal "
+                                     "corners, which were} left out"),
+                       {count}},
                       GLISSADE_TEXT("They have no area, so that no surface is missing.")});
 }
 
@@ -75,7 +77,7 @@ void warnOfTJunctions(const ClosedAtTJunctions& closed, const std::string& file,
       {ErrorKind::MalformedInput,
        file,
        "",
-       {GLISSADE_TEXT("was closed along %1 edges on which vertices of neighbouring faces lie (T-junctions)"),
+       {GLISSADE_TEXT("was closed along %1 {1|edge|edges} on which vertices of neighbouring faces lie (T-junctions)"),
         {closed.edges}},
        {GLISSADE_TEXT("The surface has moved by at most %1 micrometres."), {std::ceil(1e8 * closed.moved) / 1e2}}});
 }
@@ -87,7 +89,8 @@ TriangleMesh withoutHoles(const TriangleMesh& mesh, const std::string& file, War
   warnings.push_back({ErrorKind::MalformedInput,
                       file,
                       "",
-                      {GLISSADE_TEXT("had %1 planar holes, which were closed as asked for; %2 holes are left open"),
+                      {GLISSADE_TEXT("had %1 planar {1|hole, which was|holes, which were} closed as asked for; %2 "
+                                     "{2|hole is|holes are} left open"),
                        {closed.closed, closed.left}},
                       GLISSADE_TEXT("Look at them: what is behind a closed hole is solid.")});
   return std::move(closed.mesh);

@@ -65,7 +65,7 @@ class IgesTextCheck {
       const std::string_view field = line.substr(i * kField, kField);
       const auto stated = field.front() == kSections[i] ? numberIn(field.substr(1)) : std::nullopt;
       if (!stated || *stated == lines_[i]) continue;
-      return Message(GLISSADE_TEXT("it has %1 lines in its section %2, and states %3: lines are missing"),
+      return Message(GLISSADE_TEXT("it has %1 {1|line|lines} in its section %2, and states %3: lines are missing"),
                      {lines_[i], std::string(1, kSections[i]), *stated});
     }
     return std::nullopt;

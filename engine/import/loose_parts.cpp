@@ -14,12 +14,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/assembly/body_path.h"
 #include "engine/base/printable_text.h"
 #include "engine/import/import_protocol.h"
 #include "engine/import/import_refusal.h"
 #include "engine/import/node_steps.h"
 #include "engine/import/step_shape_notes.h"
+#include "engine/model/body_path.h"
 
 namespace glissade {
 namespace {
@@ -191,7 +191,9 @@ class LooseParts {
   void noteDeleted(int faces) {
     if (faces <= 0) return;
     assembly_.notes.push_back(
-        {protocol::kLossLine, "", {GLISSADE_TEXT("%1 faces are smaller than the gaps between faces"), {faces}}});
+        {protocol::kLossLine,
+         "",
+         {GLISSADE_TEXT("%1 {1|face is|faces are} smaller than the gaps between faces"), {faces}}});
   }
 
   double tolerance_;

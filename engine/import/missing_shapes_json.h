@@ -2,7 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "engine/assembly/missing_shape.h"
+#include "engine/model/missing_shape.h"
 
 namespace glissade {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "engine/assembly/unique_names.h"
 #include "engine/base/printable_text.h"
+#include "engine/model/unique_names.h"
 
 namespace glissade {
 

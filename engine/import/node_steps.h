@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/assembly/node_names.h"
+#include "engine/model/node_names.h"
 
 namespace glissade {
 

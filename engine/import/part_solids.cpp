@@ -7,9 +7,9 @@
 #include <set>
 #include <utility>
 
-#include "engine/assembly/body_path.h"
-#include "engine/assembly/product.h"
 #include "engine/geometry/mesh_audit.h"
+#include "engine/model/body_path.h"
+#include "engine/model/product.h"
 
 namespace glissade {
 namespace {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/assembly/occurrence.h"
 #include "engine/base/result.h"
+#include "engine/model/occurrence.h"
 
 namespace glissade {
 

@@ -7,8 +7,8 @@
 #include <set>
 #include <sstream>
 
-#include "engine/assembly/body_path.h"
 #include "engine/base/printable_text.h"
+#include "engine/model/body_path.h"
 
 namespace glissade {
 namespace {

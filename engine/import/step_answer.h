@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "engine/assembly/missing_shape.h"
 #include "engine/import/importer_process.h"
 #include "engine/import/step_import.h"
+#include "engine/model/missing_shape.h"
 
 namespace glissade {
 

@@ -21,7 +21,6 @@
 #include <cmath>
 #include <map>
 
-#include "engine/assembly/body_path.h"
 #include "engine/base/length_units.h"
 #include "engine/base/printable_text.h"
 #include "engine/import/import_protocol.h"
@@ -35,6 +34,7 @@
 #include "engine/import/step_names.h"
 #include "engine/import/step_second_shapes.h"
 #include "engine/import/step_shape_notes.h"
+#include "engine/model/body_path.h"
 
 namespace glissade {
 namespace {

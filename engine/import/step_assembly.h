@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "engine/assembly/node_names.h"
 #include "engine/import/step_face_entities.h"
 #include "engine/import/step_mirrors.h"
 #include "engine/import/step_note.h"
 #include "engine/import/step_stand_in_shapes.h"
 #include "engine/import/step_validation.h"
+#include "engine/model/node_names.h"
 
 namespace glissade {
 

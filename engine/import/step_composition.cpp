@@ -5,11 +5,11 @@
 #include <memory>
 #include <set>
 
-#include "engine/assembly/body_path.h"
 #include "engine/base/file.h"
 #include "engine/import/import_limits.h"
 #include "engine/import/import_protocol.h"
 #include "engine/import/step_part_file.h"
+#include "engine/model/body_path.h"
 
 namespace glissade {
 namespace {
@@ -197,12 +197,12 @@ class Composition {
       product_.warnings.push_back(warningOf(missing_.at(missingInOrder_[i])));
     }
     if (missingInOrder_.size() <= kMost) return;
-    product_.warnings.push_back(
-        {ErrorKind::MalformedInput,
-         content_.file,
-         "",
-         {GLISSADE_TEXT("%1 more files of its parts are missing"), {missingInOrder_.size() - kMost}},
-         kAdvice});
+    product_.warnings.push_back({ErrorKind::MalformedInput,
+                                 content_.file,
+                                 "",
+                                 {GLISSADE_TEXT("%1 more {1|file of its parts is|files of its parts are} missing"),
+                                  {missingInOrder_.size() - kMost}},
+                                 kAdvice});
   }
 
   Diagnostic warningOf(const Missing& missing) const {

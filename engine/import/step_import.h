@@ -6,12 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "engine/assembly/missing_shape.h"
-#include "engine/assembly/occurrence.h"
 #include "engine/base/result.h"
 #include "engine/base/stop_token.h"
 #include "engine/geometry/triangle_mesh.h"
 #include "engine/import/file_content.h"
+#include "engine/model/missing_shape.h"
+#include "engine/model/occurrence.h"
 
 namespace glissade {
 

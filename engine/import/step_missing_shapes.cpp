@@ -66,7 +66,7 @@ class MissingShapeSearch {
   Message reasonOf(const StatedShape& item, std::uint64_t places) const {
     const Message fault = known_.standIns.faultOf(item.entity);
     if (!fault.empty()) return {GLISSADE_TEXT("its triangles cannot be read: %1"), {fault}};
-    if (places > 0) return {GLISSADE_TEXT("it was made in %1 of its %2 places"), {places, item.places}};
+    if (places > 0) return {GLISSADE_TEXT("it was made in %1 of its %2 {2|place|places}"), {places, item.places}};
     if (item.role == StepShapeRole::Unread) return GLISSADE_TEXT("its kind is not read");
     return GLISSADE_TEXT("it could not be made");
   }

@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "engine/assembly/node_names.h"
+#include "engine/model/node_names.h"
 
 namespace glissade {
 

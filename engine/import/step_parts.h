@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/assembly/body_path.h"
-#include "engine/assembly/product.h"
 #include "engine/base/result.h"
 #include "engine/import/asset.h"
+#include "engine/model/body_path.h"
+#include "engine/model/product.h"
 
 namespace glissade {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/assembly/body_path.h"
 #include "engine/import/import_protocol.h"
+#include "engine/model/body_path.h"
 
 namespace glissade {
 namespace {

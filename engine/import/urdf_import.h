@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "engine/assembly/occurrence.h"
 #include "engine/base/result.h"
 #include "engine/base/stop_token.h"
 #include "engine/geometry/triangle_mesh.h"
 #include "engine/import/file_content.h"
+#include "engine/model/occurrence.h"
 
 namespace glissade {
 

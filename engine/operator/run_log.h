@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "engine/base/parameters.h"
-#include "engine/environment/knowledge_source.h"
 #include "engine/geometry/pose.h"
+#include "engine/places/knowledge_source.h"
 
 namespace glissade {
 

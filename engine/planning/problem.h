@@ -5,8 +5,8 @@
 #include <variant>
 
 #include "engine/collision/collision_query.h"
-#include "engine/environment/semantic_model.h"
 #include "engine/geometry/se3_metric.h"
+#include "engine/places/semantic_model.h"
 #include "engine/planning/sampling_region.h"
 
 namespace glissade {

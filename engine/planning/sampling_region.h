@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/base/random_stream.h"
-#include "engine/environment/free_space.h"
+#include "engine/places/free_space.h"
 
 namespace glissade {
 

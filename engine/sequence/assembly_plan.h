@@ -7,10 +7,10 @@
 
 #include "engine/base/enum_names.h"
 #include "engine/base/message.h"
+#include "engine/fits/fit.h"
+#include "engine/fits/fit_thread.h"
+#include "engine/fits/joint.h"
 #include "engine/planning/path.h"
-#include "engine/product/fit.h"
-#include "engine/product/fit_thread.h"
-#include "engine/product/joint.h"
 #include "engine/sequence/fastener_kind.h"
 #include "engine/sequence/order_rules.h"
 #include "engine/sequence/tool_kind.h"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/product/assembled_product.h"
+#include "engine/fits/assembled_product.h"
 
 namespace glissade {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/collision/forbidden_motions.h"
-#include "engine/environment/rigid_body.h"
+#include "engine/places/rigid_body.h"
 
 namespace glissade {
 

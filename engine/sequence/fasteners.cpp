@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "engine/product/nut_on_shaft.h"
+#include "engine/fits/nut_on_shaft.h"
 
 namespace glissade {
 namespace {

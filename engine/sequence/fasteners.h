@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "engine/product/contact_report.h"
-#include "engine/product/product_shapes.h"
+#include "engine/fits/contact_report.h"
+#include "engine/fits/product_shapes.h"
 #include "engine/sequence/body_group.h"
 #include "engine/sequence/fastener_kind.h"
 #include "engine/sequence/order_rules.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/base/message.h"
-#include "engine/product/joint.h"
+#include "engine/fits/joint.h"
 #include "engine/sequence/body_group.h"
 #include "engine/sequence/fastener_kind.h"
 #include "engine/sequence/order_rules.h"

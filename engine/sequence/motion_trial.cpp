@@ -4,8 +4,8 @@
 #include <array>
 #include <set>
 
+#include "engine/fits/snap_ways.h"
 #include "engine/planning/path_certificate.h"
-#include "engine/product/snap_ways.h"
 #include "engine/sequence/swept_box.h"
 
 namespace glissade {

@@ -4,7 +4,7 @@
 #include <array>
 #include <set>
 
-#include "engine/assembly/body_choice.h"
+#include "engine/model/body_choice.h"
 #include "engine/sequence/step_motion.h"
 
 namespace glissade {

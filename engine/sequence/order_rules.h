@@ -8,8 +8,8 @@
 
 #include "engine/base/enum_names.h"
 #include "engine/base/result.h"
-#include "engine/environment/body_class.h"
-#include "engine/product/joint.h"
+#include "engine/fits/joint.h"
+#include "engine/places/body_class.h"
 #include "engine/sequence/body_group.h"
 #include "engine/sequence/demanded_steps.h"
 

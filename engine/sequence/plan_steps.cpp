@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "engine/product/fit_thread.h"
+#include "engine/fits/fit_thread.h"
 #include "engine/sequence/removal_directions.h"
 
 namespace glissade {

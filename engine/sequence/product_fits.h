@@ -3,7 +3,7 @@
 #include <map>
 #include <utility>
 
-#include "engine/product/fit_table.h"
+#include "engine/fits/fit_table.h"
 #include "engine/sequence/body_group.h"
 
 namespace glissade {

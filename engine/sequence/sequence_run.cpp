@@ -1,7 +1,7 @@
 #include "engine/sequence/sequence_run.h"
 
-#include "engine/product/joint_edits.h"
-#include "engine/product/joint_finder.h"
+#include "engine/fits/joint_edits.h"
+#include "engine/fits/joint_finder.h"
 #include "engine/sequence/demanding_trial.h"
 #include "engine/sequence/fasteners.h"
 #include "engine/sequence/joined_units.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/base/thread_team.h"
-#include "engine/product/contact_report.h"
+#include "engine/fits/contact_report.h"
 #include "engine/sequence/body_group.h"
 #include "engine/sequence/fastener_kind.h"
 #include "engine/sequence/order_rules.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "engine/product/named_joints.h"
-#include "engine/product/threaded_parts.h"
+#include "engine/fits/named_joints.h"
+#include "engine/fits/threaded_parts.h"
 
 namespace glissade {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "engine/base/message.h"
-#include "engine/product/judged_threads.h"
-#include "engine/product/product_shapes.h"
+#include "engine/fits/judged_threads.h"
+#include "engine/fits/product_shapes.h"
 #include "engine/sequence/order_rules.h"
 #include "engine/sequence/product_fits.h"
 

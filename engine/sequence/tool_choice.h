@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "engine/product/joint.h"
-#include "engine/product/product_shapes.h"
+#include "engine/fits/joint.h"
+#include "engine/fits/product_shapes.h"
 #include "engine/sequence/body_group.h"
 #include "engine/sequence/fastener_kind.h"
 #include "engine/sequence/order_rules.h"

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/base/message.h"
-#include "engine/product/assembled_product.h"
+#include "engine/fits/assembled_product.h"
 #include "engine/sequence/assembly_plan.h"
 
 namespace glissade {

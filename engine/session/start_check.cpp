@@ -1,8 +1,8 @@
 #include "engine/session/start_check.h"
 
-#include <sstream>
 #include <string>
 
+#include "engine/base/number_text.h"
 #include "engine/planning/goal_roots.h"
 
 namespace glissade {
@@ -25,13 +25,6 @@ constexpr EndTexts kGoal{GLISSADE_TEXT("goal"), GLISSADE_TEXT("Enlarge the works
                          GLISSADE_TEXT("Allow the place again, or move the goal out of it."),
                          GLISSADE_TEXT("Move the goal to a position clear of all bodies."),
                          GLISSADE_TEXT("Move the goal away or lower the required clearance.")};
-
-/// The number with six significant digits.
-std::string rounded(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
 
 /// Describes the forbidden place that the reference point meets at a configuration, or at a milestone.
 Message forbiddenAt(const Problem& problem, const Pose& q, bool isMilestone) {
@@ -81,8 +74,8 @@ Outcome checkConfiguration(const Problem& problem, CollisionQuery& query, const 
                       "",
                       end.name,
                       {GLISSADE_TEXT("the object is %1 m from '%2', nearer than the required clearance of %3 m"),
-                       {rounded(nearest.distance), obstacles[static_cast<std::size_t>(nearest.body)].shown(),
-                        rounded(requiredClearance)}},
+                       {shortText(nearest.distance), obstacles[static_cast<std::size_t>(nearest.body)].shown(),
+                        shortText(requiredClearance)}},
                       end.isNear};
   }
   return Done{};

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/product/assembled_product.h"
+#include "engine/fits/assembled_product.h"
 #include "engine/sequence/assembly_plan.h"
 #include "engine/study/study_words.h"
 

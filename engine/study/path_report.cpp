@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "engine/base/number_text.h"
-#include "engine/scenario/product_name.h"
-#include "engine/scenario/scenario_fits.h"
+#include "engine/files/product_name.h"
+#include "engine/files/scenario_fits.h"
 #include "engine/study/cell_value.h"
 
 namespace glissade {

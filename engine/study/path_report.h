@@ -2,8 +2,8 @@
 
 #include <functional>
 
+#include "engine/files/scenario.h"
 #include "engine/planning/clearance_profile.h"
-#include "engine/scenario/scenario.h"
 #include "engine/study/study_report.h"
 
 namespace glissade {

@@ -72,8 +72,9 @@ class Composer {
     const auto count = std::count(content_.checks.begin(), content_.checks.end(), StepCheck::Agrees);
     const auto notAsked = std::count(content_.checks.begin(), content_.checks.end(), StepCheck::NotAsked);
     if (static_cast<std::size_t>(notAsked) < content_.checks.size()) {
-      report_.blocks.emplace_back(ReportText{say(GLISSADE_TEXT("The independent check agrees with %1 of %2 steps."),
-                                                 {std::to_string(count), std::to_string(plan.steps.size())})});
+      report_.blocks.emplace_back(
+          ReportText{say(GLISSADE_TEXT("The independent check agrees with %1 of %2 {2|step|steps}."),
+                         {std::to_string(count), std::to_string(plan.steps.size())})});
     }
     if (!content_.missing.empty()) {
       report_.blocks.emplace_back(ReportText{say(
@@ -87,7 +88,8 @@ class Composer {
     const std::size_t joined = plan.removed() - bodiesApart(plan);
     if (joined > 0) {
       report_.blocks.emplace_back(ReportText{
-          say(GLISSADE_TEXT("%1 parts leave in groups that are not taken apart."), {std::to_string(joined)})});
+          say(GLISSADE_TEXT("%1 {1|part leaves in a group that is|parts leave in groups that are} not taken apart."),
+              {std::to_string(joined)})});
     }
     if (content_.deviation > 0.0) {
       report_.blocks.emplace_back(ReportText{

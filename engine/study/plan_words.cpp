@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "engine/product/contact_report.h"
-#include "engine/product/key_sizes.h"
-#include "engine/product/thread_pitch.h"
+#include "engine/fits/contact_report.h"
+#include "engine/fits/key_sizes.h"
+#include "engine/fits/thread_pitch.h"
 #include "engine/sequence/step_motion.h"
 
 namespace glissade {
@@ -161,20 +161,23 @@ std::string PlanWords::joint(const StepJoint& joint, const AssemblyStep& step, c
     case JointKind::Screw:
     case JointKind::Nut: {
       if (!isOwn)
-        return words_(removal ? GLISSADE_TEXT("turn out of %1, %2 turns") : GLISSADE_TEXT("turn into %1, %2 turns"),
+        return words_(removal ? GLISSADE_TEXT("turn out of %1, %2 {2|turn|turns}")
+                              : GLISSADE_TEXT("turn into %1, %2 {2|turn|turns}"),
                       {what, turns});
       if (joint.kind == JointKind::Nut) {
-        return words_(removal ? GLISSADE_TEXT("turn off nut %1, %2 turns") : GLISSADE_TEXT("screw on nut %1, %2 turns"),
+        return words_(removal ? GLISSADE_TEXT("turn off nut %1, %2 {2|turn|turns}")
+                              : GLISSADE_TEXT("screw on nut %1, %2 {2|turn|turns}"),
                       {what, turns});
       }
-      return words_(removal ? GLISSADE_TEXT("turn out screw %1, %2 turns") : GLISSADE_TEXT("screw in %1, %2 turns"),
+      return words_(removal ? GLISSADE_TEXT("turn out screw %1, %2 {2|turn|turns}")
+                            : GLISSADE_TEXT("screw in %1, %2 {2|turn|turns}"),
                     {what, turns});
     }
     case JointKind::Thread: {
       const std::string with = isOwn ? someOf(joint.others, product) : what;
-      return words_(
-          removal ? GLISSADE_TEXT("unscrew from %1, %2 turns") : GLISSADE_TEXT("screw together with %1, %2 turns"),
-          {with, turns});
+      return words_(removal ? GLISSADE_TEXT("unscrew from %1, %2 {2|turn|turns}")
+                            : GLISSADE_TEXT("screw together with %1, %2 {2|turn|turns}"),
+                    {with, turns});
     }
     case JointKind::Insert:
       return words_(removal ? GLISSADE_TEXT("press out of %1") : GLISSADE_TEXT("press into %1"),
@@ -199,8 +202,9 @@ std::string PlanWords::turnedMotion(const AssemblyStep& step, PlanOrder order) c
   const bool removal = order == PlanOrder::Removal;
   const Vector3 way = removal ? last.direction : Vector3(-last.direction);
   const std::string straight = direction(way) + ", " + length_(last.length);
-  return words_(removal ? GLISSADE_TEXT("%1 turns out, then %2") : GLISSADE_TEXT("%2, then %1 turns in"),
-                {turns, straight});
+  return words_(
+      removal ? GLISSADE_TEXT("%1 {1|turn|turns} out, then %2") : GLISSADE_TEXT("%2, then %1 {1|turn|turns} in"),
+      {turns, straight});
 }
 
 std::string PlanWords::motion(const AssemblyStep& step, PlanOrder order) const {

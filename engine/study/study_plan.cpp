@@ -7,7 +7,7 @@
 
 #include "engine/base/file.h"
 #include "engine/base/number_text.h"
-#include "engine/scenario/scenario_file.h"
+#include "engine/files/scenario_file.h"
 #include "engine/study/study_reader.h"
 
 namespace glissade {

@@ -48,7 +48,7 @@ ReportTable whatWasRun(const StudyFolder& folder, const std::vector<CellSummary>
   table.rows = {
       {words(GLISSADE_TEXT("Study")),
        words(study.quick ? GLISSADE_TEXT("%1, quick size") : GLISSADE_TEXT("%1, full size"), {study.heading.name})},
-      {words(GLISSADE_TEXT("Runs")), words(GLISSADE_TEXT("%1 of %2, %3 of them solved, in %4 cells"),
+      {words(GLISSADE_TEXT("Runs")), words(GLISSADE_TEXT("%1 of %2, %3 of them solved, in %4 {4|cell|cells}"),
                                            {std::to_string(run), std::to_string(planned), std::to_string(solved),
                                             std::to_string(study.cells.size())})},
       {words(GLISSADE_TEXT("Scenarios")), joined(scenarios)},

@@ -144,7 +144,7 @@ class Runner {
     return {ErrorKind::Interrupted,
             folder_.path(),
             "",
-            {GLISSADE_TEXT("interrupted with %1 of %2 runs done"), {progress_.done, progress_.planned}},
+            {GLISSADE_TEXT("interrupted with %1 of %2 {2|run|runs} done"), {progress_.done, progress_.planned}},
             GLISSADE_TEXT("The same command goes on from here.")};
   }
 

@@ -32,7 +32,7 @@ Plot loadPlot(const LineBalance& line, const StudyWords& words) {
 void addLine(const PlanTiming& timing, const StudyWords& words, StudyReport& report) {
   const LineBalance& line = *timing.line;
   report.blocks.emplace_back(
-      ReportHeading{words(GLISSADE_TEXT("Line of %1 stations"), {std::to_string(line.load.size())}), 3});
+      ReportHeading{words(GLISSADE_TEXT("Line of %1 {1|station|stations}"), {std::to_string(line.load.size())}), 3});
   report.blocks.emplace_back(
       ReportText{words(GLISSADE_TEXT("A product leaves the line every %1. No division is faster than %2."),
                        {secondsText(line.cycle, words), secondsText(line.least, words)})});

@@ -2745,8 +2745,8 @@
         <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
-        <source>%1 of %2 steps are reached and seen by the hand %3</source>
-        <translation>%1 étapes sur %2 sont accessibles et visibles pour la main %3</translation>
+        <source>%1 of %2 {2|step|steps} {1|is|are} reached and seen by the hand %3</source>
+        <translation>%1 {1|étape|étapes} sur %2 {1|est accessible et visible|sont accessibles et visibles} pour la main %3</translation>
     </message>
     <message>
         <source>one of them is needed, and not both</source>
@@ -2873,8 +2873,8 @@
         <translation>écart</translation>
     </message>
     <message>
-        <source>%1 pairs of %2 bodies</source>
-        <translation>%1 paires de %2 corps</translation>
+        <source>%1 {1|pair|pairs} of %2 {2|body|bodies}</source>
+        <translation>%1 {1|paire|paires} de %2 corps</translation>
     </message>
     <message>
         <source>taken thinner</source>
@@ -2917,11 +2917,7 @@
         <translation>assemblages</translation>
     </message>
     <message>
-        <source>%1  %2 body%3</source>
-        <translation>%1  %2 corps%3</translation>
-    </message>
-    <message>
-        <source>%1  %2 bodies%3</source>
+        <source>%1  %2 {2|body|bodies}%3</source>
         <translation>%1  %2 corps%3</translation>
     </message>
     <message>
@@ -2981,8 +2977,8 @@
         <translation>formes qui ne sont pas des corps  %1</translation>
     </message>
     <message>
-        <source>%1 bodies, %2 different meshes, %3 triangles</source>
-        <translation>%1 corps, %2 maillages différents, %3 triangles</translation>
+        <source>%1 {1|body|bodies}, %2 different {2|mesh|meshes}, %3 {3|triangle|triangles}</source>
+        <translation>%1 corps, %2 {2|maillage différent|maillages différents}, %3 {3|triangle|triangles}</translation>
     </message>
     <message>
         <source>%1, lengths in %2</source>
@@ -3033,8 +3029,8 @@
         <translation>indices</translation>
     </message>
     <message>
-        <source>%1 joints of %2 bodies</source>
-        <translation>%1 liaisons de %2 corps</translation>
+        <source>%1 {1|joint|joints} of %2 {2|body|bodies}</source>
+        <translation>%1 {1|liaison|liaisons} de %2 corps</translation>
     </message>
     <message>
         <source>screws in bodies without a hole in the file, each of which makes its own: %1</source>
@@ -3623,8 +3619,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Relancez-le.</translation>
     </message>
     <message>
-        <source>same roadmap as recorded: %1 nodes</source>
-        <translation>même graphe que l&apos;enregistrement&#xa0;: %1 nœuds</translation>
+        <source>same roadmap as recorded: %1 {1|node|nodes}</source>
+        <translation>même graphe que l&apos;enregistrement&#xa0;: %1 {1|nœud|nœuds}</translation>
     </message>
     <message>
         <source>(a record of version 1: only the nodes were counted)</source>
@@ -3671,8 +3667,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>exigé&#xa0;: %1 mm</translation>
     </message>
     <message>
-        <source>%1, %2 of %3 edges slide</source>
-        <translation>%1, %2 segments sur %3 glissent</translation>
+        <source>%1, %2 of %3 {3|edge|edges} {2|slides|slide}</source>
+        <translation>%1, %2 {2|segment|segments} sur %3 {2|glisse|glissent}</translation>
     </message>
     <message>
         <source>%1; %2 from forbidden places</source>
@@ -3799,8 +3795,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>échec</translation>
     </message>
     <message>
-        <source>your hand showed %1 configurations; %2 were in collision, %3 of these were moved to contact</source>
-        <translation>votre main a montré %1 configurations&#xa0;; %2 étaient en collision, dont %3 ont été amenées au contact</translation>
+        <source>your hand showed %1 {1|configuration|configurations}; %2 {2|was|were} in collision, %3 of these {3|was|were} moved to contact</source>
+        <translation>votre main a montré %1 {1|configuration|configurations}&#xa0;; %2 {2|était|étaient} en collision, dont %3 {3|a été amenée|ont été amenées} au contact</translation>
     </message>
     <message>
         <source>your way joined start and goal</source>
@@ -3819,11 +3815,11 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>chemin grossier %1&#xa0;:</translation>
     </message>
     <message>
-        <source>  %1 to %2: %3, %4 random configurations (%5)</source>
-        <translation>  %1 vers %2&#xa0;: %3, %4 configurations aléatoires (%5)</translation>
+        <source>  %1 to %2: %3, %4 random {4|configuration|configurations} (%5)</source>
+        <translation>  %1 vers %2&#xa0;: %3, %4 {4|configuration aléatoire|configurations aléatoires} (%5)</translation>
     </message>
     <message>
-        <source>%1 by %2 after %3 steps (%4 s virtual, %5 s of planning)</source>
+        <source>%1 by %2 after %3 {3|step|steps} (%4 s virtual, %5 s of planning)</source>
         <translation>%1 par %2 après %3 pas (%4 s virtuelles, %5 s de planification)</translation>
     </message>
     <message>
@@ -3835,8 +3831,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>nœuds de l&apos;ordinateur&#xa0;: %1, de l&apos;opérateur&#xa0;: %2, de contact&#xa0;: %3</translation>
     </message>
     <message>
-        <source>path of %1 configurations, %2 m, %3 rad</source>
-        <translation>chemin de %1 configurations, %2 m, %3 rad</translation>
+        <source>path of %1 {1|configuration|configurations}, %2 m, %3 rad</source>
+        <translation>chemin de %1 {1|configuration|configurations}, %2 m, %3 rad</translation>
     </message>
     <message>
         <source>of its length by the computer %1, the operator %2, contact %3</source>
@@ -3859,16 +3855,16 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>comparaison des paires de corps, %1&#xa0;%</translation>
     </message>
     <message>
-        <source>searching motions of %1 parts, effort %2</source>
-        <translation>recherche des mouvements de %1 pièces, effort %2</translation>
+        <source>searching motions of %1 {1|part|parts}, effort %2</source>
+        <translation>recherche des mouvements de %1 {1|pièce|pièces}, effort %2</translation>
     </message>
     <message>
-        <source>%1 of %2 parts: %3 leaves (%4)</source>
-        <translation>%1 pièces sur %2&#xa0;: %3 sort (%4)</translation>
+        <source>%1 of %2 {2|part|parts}: %3 leaves (%4)</source>
+        <translation>%1 {1|pièce|pièces} sur %2&#xa0;: %3 sort (%4)</translation>
     </message>
     <message>
-        <source>%1 of %2 parts: %3 leave as one (%4)</source>
-        <translation>%1 pièces sur %2&#xa0;: %3 sortent ensemble (%4)</translation>
+        <source>%1 of %2 {2|part|parts}: %3 leave as one (%4)</source>
+        <translation>%1 {1|pièce|pièces} sur %2&#xa0;: %3 sortent ensemble (%4)</translation>
     </message>
     <message>
         <source>is not a number from 1, a comma and a name: %1</source>
@@ -3967,16 +3963,16 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>le groupe de l&apos;étape %1 se démonte à partir de %2&#xa0;:</translation>
     </message>
     <message>
-        <source>%1 of %2 parts leave in %3 steps</source>
-        <translation>%1 pièces sur %2 sortent en %3 étapes</translation>
+        <source>%1 of %2 {2|part|parts} {1|leaves|leave} in %3 {3|step|steps}</source>
+        <translation>%1 {1|pièce|pièces} sur %2 {1|sort|sortent} en %3 {3|étape|étapes}</translation>
     </message>
     <message>
         <source>%1, every motion certified</source>
         <translation>%1, tous les mouvements sont certifiés</translation>
     </message>
     <message>
-        <source>%1, every motion certified but those of %2 flexible parts</source>
-        <translation>%1, tous les mouvements sont certifiés sauf ceux de %2 pièces souples</translation>
+        <source>%1, every motion certified but those of %2 flexible {2|part|parts}</source>
+        <translation>%1, tous les mouvements sont certifiés sauf ceux de %2 {2|pièce souple|pièces souples}</translation>
     </message>
     <message>
         <source>base: %1</source>
@@ -4015,8 +4011,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>de %1 m à %2 m dans la métrique, de %3 à %4 configurations, %5</translation>
     </message>
     <message>
-        <source>%1 of %2 runs, %3 solved</source>
-        <translation>%1 essais sur %2, %3 résolus</translation>
+        <source>%1 of %2 {2|run|runs}, %3 solved</source>
+        <translation>%1 {1|essai|essais} sur %2, %3 {3|résolu|résolus}</translation>
     </message>
     <message>
         <source>%1, %2 ended by time, memory or a fault</source>
@@ -4055,12 +4051,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Écrivez 1/4, 2/4, 3/4 et 4/4 pour quatre parts.</translation>
     </message>
     <message>
-        <source>%1 cells, %2 runs in shard %3 of %4, %5 of them done</source>
-        <translation>%1 cellules, %2 essais dans la part %3 sur %4, dont %5 effectués</translation>
+        <source>%1 {1|cell|cells}, %2 {2|run|runs} in shard %3 of %4, %5 of them done</source>
+        <translation>%1 {1|cellule|cellules}, %2 {2|essai|essais} dans la part %3 sur %4, dont %5 {5|effectué|effectués}</translation>
     </message>
     <message>
-        <source>  %1 seeds of: %2</source>
-        <translation>  %1 graines de&#xa0;: %2</translation>
+        <source>  %1 {1|seed|seeds} of: %2</source>
+        <translation>  %1 {1|graine|graines} de&#xa0;: %2</translation>
     </message>
     <message>
         <source>swept volume %1 %2, %3 triangles; it contains the sweep, and its surface is at most %4 mm away from it</source>
@@ -4091,8 +4087,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>  n° secondes prendre   poser tourner   outil   tenir  pièces</translation>
     </message>
     <message>
-        <source>%1 stations: a product every %2 s (no division is faster than %3 s), people work %4 % of the time</source>
-        <translation>%1 postes&#xa0;: un produit toutes les %2 s (aucune répartition ne descend sous %3 s), les personnes travaillent %4&#xa0;% du temps</translation>
+        <source>%1 {1|station|stations}: a product every %2 s (no division is faster than %3 s), people work %4 % of the time</source>
+        <translation>%1 {1|poste|postes}&#xa0;: un produit toutes les %2 s (aucune répartition ne descend sous %3 s), les personnes travaillent %4 % du temps</translation>
     </message>
     <message>
         <source>  station %1: %2 s, steps %3</source>
@@ -4751,8 +4747,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Fixez-la de nouveau.</translation>
     </message>
     <message>
-        <source>the file has %1 more names (hard links), which keep the old content</source>
-        <translation>le fichier a %1 autres noms (liens physiques), qui gardent l&apos;ancien contenu</translation>
+        <source>the file has %1 more {1|name (hard link), which keeps|names (hard links), which keep} the old content</source>
+        <translation>le fichier a %1 {1|autre nom (lien physique), qui garde|autres noms (liens physiques), qui gardent} l&apos;ancien contenu</translation>
     </message>
     <message>
         <source>Copy the file over them, or link them again.</source>
@@ -5343,8 +5339,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>la vérification a été arrêtée</translation>
     </message>
     <message>
-        <source>it states &quot;after&quot;: %1, and %2 steps come before it</source>
-        <translation>elle indique «&#xa0;after&#xa0;»&#xa0;: %1, et %2 étapes la précèdent</translation>
+        <source>it states &quot;after&quot;: %1, and %2 {2|step comes|steps come} before it</source>
+        <translation>elle indique «&#xa0;after&#xa0;»&#xa0;: %1, et %2 {2|étape la précède|étapes la précèdent}</translation>
     </message>
     <message>
         <source>it is of a flexible body, and says that it is certified</source>
@@ -5399,12 +5395,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>la configuration %1 est hors de l&apos;espace de travail du scénario&#xa0;; la suite du chemin n&apos;a pas été examinée</translation>
     </message>
     <message>
-        <source>1 pair overlaps without being a fit, a thread or a press</source>
-        <translation>1 paire se recouvre sans être ni un ajustement, ni un filetage, ni un emmanchement</translation>
-    </message>
-    <message>
-        <source>%1 pairs overlap without being a fit, a thread or a press</source>
-        <translation>%1 paires se recouvrent sans être ni un ajustement, ni un filetage, ni un emmanchement</translation>
+        <source>%1 {1|pair overlaps|pairs overlap} without being a fit, a thread or a press</source>
+        <translation>%1 {1|paire se recouvre|paires se recouvrent} sans être ni un ajustement, ni un filetage, ni un emmanchement</translation>
     </message>
     <message>
         <source>&apos;%1&apos; and &apos;%2&apos; by %3</source>
@@ -5451,8 +5443,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>le plan est dit complet, et tous ses corps restent&#xa0;: rien n&apos;est démonté</translation>
     </message>
     <message>
-        <source>the plan is called complete, and %1 of %2 parts have no step</source>
-        <translation>le plan est dit complet, et %1 pièces sur %2 n&apos;ont pas d&apos;étape</translation>
+        <source>the plan is called complete, and %1 of %2 {2|part|parts} {1|has|have} no step</source>
+        <translation>le plan est dit complet, et %1 {1|pièce|pièces} sur %2 {1|n&apos;a|n&apos;ont} pas d&apos;étape</translation>
     </message>
     <message>
         <source>&apos;%1&apos; moves in a direction that is forbidden to it before it is clear of what it touched</source>
@@ -5739,8 +5731,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>au plus %1</translation>
     </message>
     <message>
-        <source>%1 steps before it</source>
-        <translation>%1 étapes avant elle</translation>
+        <source>%1 {1|step|steps} before it</source>
+        <translation>%1 {1|étape|étapes} avant elle</translation>
     </message>
     <message>
         <source>no such body</source>
@@ -5899,8 +5891,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>certifié&#xa0;: %1 (exigé&#xa0;: %2 mm)</translation>
     </message>
     <message>
-        <source>certified: %1 (required %2 mm, %3 of %4 edges slide)</source>
-        <translation>certifié&#xa0;: %1 (exigé&#xa0;: %2 mm, %3 segments sur %4 glissent)</translation>
+        <source>certified: %1 (required %2 mm, %3 of %4 {4|edge|edges} {3|slides|slide})</source>
+        <translation>certifié&#xa0;: %1 (exigé&#xa0;: %2 mm, %3 {3|segment|segments} sur %4 {3|glisse|glissent})</translation>
     </message>
     <message>
         <source>&apos;%1&apos; and &apos;%2&apos; are a thread, which comes apart by turning only</source>
@@ -5939,8 +5931,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>indécis&#xa0;: %1</translation>
     </message>
     <message>
-        <source>%1 configurations, %2</source>
-        <translation>%1 configurations, %2</translation>
+        <source>%1 {1|configuration|configurations}, %2</source>
+        <translation>%1 {1|configuration|configurations}, %2</translation>
     </message>
     <message>
         <source>edge %1 meets the place &apos;%2&apos;, which a person forbids, or its margin of %3</source>
@@ -6015,16 +6007,16 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>l&apos;étape %1 (%2) est indécise&#xa0;: %3&#xa0;;</translation>
     </message>
     <message>
-        <source>%1 of %2 parts have no step, %3 leave alone, %4 as units, %5 in groups that are not taken apart</source>
-        <translation>%1 pièces sur %2 n&apos;ont pas d&apos;étape, %3 sortent seules, %4 en unités, %5 dans des groupes qui ne sont pas démontés</translation>
+        <source>%1 of %2 {2|part|parts} {1|has|have} no step, %3 {3|leaves|leave} alone, %4 as units, %5 in groups that are not taken apart</source>
+        <translation>%1 {1|pièce|pièces} sur %2 {1|n&apos;a|n&apos;ont} pas d&apos;étape, %3 {3|sort seule|sortent seules}, %4 en unités, %5 dans des groupes qui ne sont pas démontés</translation>
     </message>
     <message>
-        <source>%1 of %2 steps are certified, %3</source>
-        <translation>%1 étapes sur %2 sont certifiées, %3</translation>
+        <source>%1 of %2 {2|step|steps} {1|is|are} certified, %3</source>
+        <translation>%1 {1|étape|étapes} sur %2 {1|est certifiée|sont certifiées}, %3</translation>
     </message>
     <message>
-        <source>%1 of %2 steps are as stated, %3</source>
-        <translation>%1 étapes sur %2 sont conformes à ce qui est indiqué, %3</translation>
+        <source>%1 of %2 {2|step|steps} {1|is|are} as stated, %3</source>
+        <translation>%1 {1|étape|étapes} sur %2 {1|est conforme|sont conformes} à ce qui est indiqué, %3</translation>
     </message>
     <message>
         <source>incomplete: %1</source>
@@ -6035,8 +6027,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>valide seulement si %1&#xa0;: %2</translation>
     </message>
     <message>
-        <source>valid only under %1 conditions that the plan states itself: %2</source>
-        <translation>valide seulement sous %1 conditions que le plan pose lui-même&#xa0;: %2</translation>
+        <source>valid only under %1 {1|condition|conditions} that the plan states itself: %2</source>
+        <translation>valide seulement sous %1 {1|condition|conditions} que le plan pose lui-même&#xa0;: %2</translation>
     </message>
     <message>
         <source>condition: %1</source>
@@ -6051,8 +6043,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>refusé&#xa0;: la ligne de l&apos;étape %1&#xa0;: %2</translation>
     </message>
     <message>
-        <source>%1 steps of flexible bodies have no proof</source>
-        <translation>%1 étapes de corps souples n&apos;ont pas de preuve</translation>
+        <source>%1 {1|step of a flexible body has|steps of flexible bodies have} no proof</source>
+        <translation>%1 {1|étape d&apos;un corps souple n&apos;a|étapes de corps souples n&apos;ont} pas de preuve</translation>
     </message>
     <message>
         <source>the certificates are about triangles, which are within +/- %1 of the CAD surfaces</source>
@@ -6483,8 +6475,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>demande plus que les %1 Mio de mémoire admis sur cette machine pour un fichier de cette taille</translation>
     </message>
     <message>
-        <source>%1 more faces were triangulated from their boundaries</source>
-        <translation>%1 autres faces ont été triangulées à partir de leurs contours</translation>
+        <source>%1 more {1|face was triangulated from its boundary|faces were triangulated from their boundaries}</source>
+        <translation>%1 {1|autre face a été triangulée à partir de son contour|autres faces ont été triangulées à partir de leurs contours}</translation>
     </message>
     <message>
         <source>it needs more than %1 triangles</source>
@@ -6891,24 +6883,24 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>%1 %2 n&apos;est pas un nombre fini</translation>
     </message>
     <message>
-        <source>has %1 triangles with two equal corners, which were left out</source>
-        <translation>a %1 triangles à deux sommets égaux, qui ont été omis</translation>
+        <source>has %1 {1|triangle with two equal corners, which was|triangles with two equal corners, which were} left out</source>
+        <translation>a %1 {1|triangle à deux sommets égaux, qui a été omis|triangles à deux sommets égaux, qui ont été omis}</translation>
     </message>
     <message>
         <source>They have no area, so that no surface is missing.</source>
         <translation>Leur aire est nulle&#xa0;: il ne manque aucune surface.</translation>
     </message>
     <message>
-        <source>was closed along %1 edges on which vertices of neighbouring faces lie (T-junctions)</source>
-        <translation>a été fermé le long de %1 arêtes où se trouvent des sommets de faces voisines (jonctions en T)</translation>
+        <source>was closed along %1 {1|edge|edges} on which vertices of neighbouring faces lie (T-junctions)</source>
+        <translation>a été fermé le long de %1 {1|arête|arêtes} où se trouvent des sommets de faces voisines (jonctions en T)</translation>
     </message>
     <message>
         <source>The surface has moved by at most %1 micrometres.</source>
         <translation>La surface s&apos;est déplacée d&apos;au plus %1 micromètres.</translation>
     </message>
     <message>
-        <source>had %1 planar holes, which were closed as asked for; %2 holes are left open</source>
-        <translation>avait %1 trous plans, fermés comme demandé&#xa0;; %2 trous restent ouverts</translation>
+        <source>had %1 planar {1|hole, which was|holes, which were} closed as asked for; %2 {2|hole is|holes are} left open</source>
+        <translation>avait %1 {1|trou plan, fermé|trous plans, fermés} comme demandé&#xa0;; %2 {2|trou reste ouvert|trous restent ouverts}</translation>
     </message>
     <message>
         <source>Look at them: what is behind a closed hole is solid.</source>
@@ -6983,8 +6975,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>sa ligne %1 n&apos;a pas le numéro attendu (%2)&#xa0;: des lignes manquent ou sont abîmées</translation>
     </message>
     <message>
-        <source>it has %1 lines in its section %2, and states %3: lines are missing</source>
-        <translation>il a %1 lignes dans sa section %2 et en annonce %3&#xa0;: des lignes manquent</translation>
+        <source>it has %1 {1|line|lines} in its section %2, and states %3: lines are missing</source>
+        <translation>il a %1 {1|ligne|lignes} dans sa section %2 et en annonce %3&#xa0;: des lignes manquent</translation>
     </message>
     <message>
         <source>%1 bytes</source>
@@ -7047,8 +7039,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>il a plus de %1 pièces</translation>
     </message>
     <message>
-        <source>%1 faces are smaller than the gaps between faces</source>
-        <translation>%1 faces sont plus petites que les intervalles entre les faces</translation>
+        <source>%1 {1|face is|faces are} smaller than the gaps between faces</source>
+        <translation>%1 {1|face est plus petite|faces sont plus petites} que les intervalles entre les faces</translation>
     </message>
     <message>
         <source>holds 32-bit coordinates whose spacing of %1 is too coarse for a part with a diagonal of %2 (units of the file)</source>
@@ -7235,8 +7227,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>on ne sait pas où est %1, et les preuves portent sur le produit sans lui&#xa0;: %2</translation>
     </message>
     <message>
-        <source>%1 more files of its parts are missing</source>
-        <translation>%1 autres fichiers de ses pièces manquent</translation>
+        <source>%1 more {1|file of its parts is|files of its parts are} missing</source>
+        <translation>%1 {1|autre fichier de ses pièces manque|autres fichiers de ses pièces manquent}</translation>
     </message>
     <message>
         <source>part %1</source>
@@ -7423,8 +7415,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>ses triangles ne peuvent pas être lus&#xa0;: %1</translation>
     </message>
     <message>
-        <source>it was made in %1 of its %2 places</source>
-        <translation>il a été construit à %1 de ses %2 emplacements</translation>
+        <source>it was made in %1 of its %2 {2|place|places}</source>
+        <translation>il a été construit à %1 de ses %2 {2|emplacement|emplacements}</translation>
     </message>
     <message>
         <source>it belongs to no product of the file and is read as a body where its coordinates are</source>
@@ -8535,8 +8527,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>%1, pas %2 (pas gros ISO, %3)</translation>
     </message>
     <message>
-        <source>%1, %2 turns</source>
-        <translation>%1, %2 tours</translation>
+        <source>%1, %2 {2|turn|turns}</source>
+        <translation>%1, %2 {2|tour|tours}</translation>
     </message>
     <message>
         <source>fit so that one of them would have to be taken %1 thinner, which the local thickness or the shape of neither gives: it counts as a clash</source>
@@ -8563,8 +8555,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Corrigez les pièces, ou dites quel type d&apos;ajustement elles forment.</translation>
     </message>
     <message>
-        <source>%1 more pairs overlap in the same way</source>
-        <translation>%1 autres paires se recouvrent de la même façon</translation>
+        <source>%1 more {1|pair overlaps|pairs overlap} in the same way</source>
+        <translation>%1 {1|autre paire se recouvre|autres paires se recouvrent} de la même façon</translation>
     </message>
     <message>
         <source>See &apos;glissade-cli fits&apos; for all of them.</source>
@@ -9271,8 +9263,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Utilisez une copie intacte. Pour rejouer un enregistrement modifié, supprimez sa somme de contrôle.</translation>
     </message>
     <message>
-        <source>is damaged: %1 lines of the journal are lost</source>
-        <translation>est endommagé&#xa0;: %1 lignes du journal sont perdues</translation>
+        <source>is damaged: %1 {1|line of the journal is|lines of the journal are} lost</source>
+        <translation>est endommagé&#xa0;: %1 {1|ligne du journal est perdue|lignes du journal sont perdues}</translation>
     </message>
     <message>
         <source>Nothing is missing until step %1; the replay may differ from the run after it.</source>
@@ -10175,8 +10167,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>relation</translation>
     </message>
     <message>
-        <source>%1 parts, %2 steps</source>
-        <translation>%1 pièces, %2 étapes</translation>
+        <source>%1 {1|part|parts}, %2 {2|step|steps}</source>
+        <translation>%1 {1|pièce|pièces}, %2 {2|étape|étapes}</translation>
     </message>
     <message>
         <source>Tools: %1</source>
@@ -10591,8 +10583,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Chaque mouvement est certifié&#xa0;: la pièce garde son jeu à toutes les pièces présentes, sur tout son chemin.</translation>
     </message>
     <message>
-        <source>The independent check agrees with %1 of %2 steps.</source>
-        <translation>La vérification indépendante confirme %1 étapes sur %2.</translation>
+        <source>The independent check agrees with %1 of %2 {2|step|steps}.</source>
+        <translation>La vérification indépendante confirme %1 {1|étape|étapes} sur %2.</translation>
     </message>
     <message>
         <source>The proof is about the product without these shapes of the file, which were not made into bodies: %1.</source>
@@ -10603,8 +10595,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Le plan n&apos;est valable que si %1.</translation>
     </message>
     <message>
-        <source>%1 parts leave in groups that are not taken apart.</source>
-        <translation>%1 pièces partent dans des groupes qui ne sont pas démontés.</translation>
+        <source>%1 {1|part leaves in a group that is|parts leave in groups that are} not taken apart.</source>
+        <translation>%1 {1|pièce part dans un groupe qui n&apos;est pas démonté|pièces partent dans des groupes qui ne sont pas démontés}.</translation>
     </message>
     <message>
         <source>The certificates are about triangles, which are within ± %1 of the CAD surfaces.</source>
@@ -10791,36 +10783,36 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>comme une personne l&apos;a dit</translation>
     </message>
     <message>
-        <source>turn out of %1, %2 turns</source>
-        <translation>dévisser de %1, %2 tours</translation>
+        <source>turn out of %1, %2 {2|turn|turns}</source>
+        <translation>dévisser de %1, %2 {2|tour|tours}</translation>
     </message>
     <message>
-        <source>turn into %1, %2 turns</source>
-        <translation>visser dans %1, %2 tours</translation>
+        <source>turn into %1, %2 {2|turn|turns}</source>
+        <translation>visser dans %1, %2 {2|tour|tours}</translation>
     </message>
     <message>
-        <source>turn off nut %1, %2 turns</source>
-        <translation>dévisser l&apos;écrou %1, %2 tours</translation>
+        <source>turn off nut %1, %2 {2|turn|turns}</source>
+        <translation>dévisser l&apos;écrou %1, %2 {2|tour|tours}</translation>
     </message>
     <message>
-        <source>screw on nut %1, %2 turns</source>
-        <translation>visser l&apos;écrou %1, %2 tours</translation>
+        <source>screw on nut %1, %2 {2|turn|turns}</source>
+        <translation>visser l&apos;écrou %1, %2 {2|tour|tours}</translation>
     </message>
     <message>
-        <source>turn out screw %1, %2 turns</source>
-        <translation>dévisser la vis %1, %2 tours</translation>
+        <source>turn out screw %1, %2 {2|turn|turns}</source>
+        <translation>dévisser la vis %1, %2 {2|tour|tours}</translation>
     </message>
     <message>
-        <source>screw in %1, %2 turns</source>
-        <translation>visser %1, %2 tours</translation>
+        <source>screw in %1, %2 {2|turn|turns}</source>
+        <translation>visser %1, %2 {2|tour|tours}</translation>
     </message>
     <message>
-        <source>unscrew from %1, %2 turns</source>
-        <translation>dévisser de %1, %2 tours</translation>
+        <source>unscrew from %1, %2 {2|turn|turns}</source>
+        <translation>dévisser de %1, %2 {2|tour|tours}</translation>
     </message>
     <message>
-        <source>screw together with %1, %2 turns</source>
-        <translation>visser avec %1, %2 tours</translation>
+        <source>screw together with %1, %2 {2|turn|turns}</source>
+        <translation>visser avec %1, %2 {2|tour|tours}</translation>
     </message>
     <message>
         <source>press out of %1</source>
@@ -10851,12 +10843,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>poser sur %1</translation>
     </message>
     <message>
-        <source>%1 turns out, then %2</source>
-        <translation>%1 tours pour dévisser, puis %2</translation>
+        <source>%1 {1|turn|turns} out, then %2</source>
+        <translation>%1 {1|tour|tours} pour dévisser, puis %2</translation>
     </message>
     <message>
-        <source>%2, then %1 turns in</source>
-        <translation>%2, puis %1 tours pour visser</translation>
+        <source>%2, then %1 {1|turn|turns} in</source>
+        <translation>%2, puis %1 {1|tour|tours} pour visser</translation>
     </message>
     <message>
         <source>does not move</source>
@@ -11155,8 +11147,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Essais</translation>
     </message>
     <message>
-        <source>%1 of %2, %3 of them solved, in %4 cells</source>
-        <translation>%1 sur %2, dont %3 résolus, en %4 cellules</translation>
+        <source>%1 of %2, %3 of them solved, in %4 {4|cell|cells}</source>
+        <translation>%1 sur %2, dont %3 {3|résolu|résolus}, en %4 {4|cellule|cellules}</translation>
     </message>
     <message>
         <source>Scenarios</source>
@@ -11319,8 +11311,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Mémoire (Mo)</translation>
     </message>
     <message>
-        <source>interrupted with %1 of %2 runs done</source>
-        <translation>interrompu après %1 essais sur %2</translation>
+        <source>interrupted with %1 of %2 {2|run|runs} done</source>
+        <translation>interrompu après %1 {1|essai|essais} sur %2</translation>
     </message>
     <message>
         <source>The same command goes on from here.</source>
@@ -11739,8 +11731,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Poste</translation>
     </message>
     <message>
-        <source>Line of %1 stations</source>
-        <translation>Ligne de %1 postes</translation>
+        <source>Line of %1 {1|station|stations}</source>
+        <translation>Ligne de %1 {1|poste|postes}</translation>
     </message>
     <message>
         <source>A product leaves the line every %1. No division is faster than %2.</source>

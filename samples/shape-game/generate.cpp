@@ -14,7 +14,7 @@
 
 #include "engine/base/file.h"
 #include "engine/base/number_text.h"
-#include "engine/scenario/scenario_io.h"
+#include "engine/files/scenario_io.h"
 
 namespace {
 

@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/product/fit_table.h"
-#include "engine/scenario/part_files.h"
-#include "engine/scenario/product_file.h"
-#include "engine/scenario/scenario_io.h"
+#include "engine/files/part_files.h"
+#include "engine/files/product_file.h"
+#include "engine/files/scenario_io.h"
+#include "engine/fits/fit_table.h"
 #include "engine/sequence/product_fits.h"
 
 namespace {

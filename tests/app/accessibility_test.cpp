@@ -26,7 +26,7 @@
 
 #include "app/window/theme.h"
 #include "app/window/window_memory.h"
-#include "engine/scenario/scenario_io.h"
+#include "engine/files/scenario_io.h"
 #include "tests/app/every_dialog.h"
 #include "tests/app/whole_window.h"
 

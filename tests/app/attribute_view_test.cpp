@@ -8,7 +8,7 @@
 #include <QWheelEvent>
 
 #include "app/window/editor_in_use.h"
-#include "engine/scenario/scenario_io.h"
+#include "engine/files/scenario_io.h"
 #include "tests/engine/support/directories.h"
 #include "widgets/editors/semantics_panel.h"
 

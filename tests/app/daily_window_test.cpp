@@ -1,5 +1,5 @@
 // Refusals, kept paths, measuring and the log, in the window as a person would use them.
-#include "engine/scenario/scenario_io.h"
+#include "engine/files/scenario_io.h"
 #include "tests/app/window_fixture.h"
 
 namespace {

@@ -11,7 +11,7 @@
 #include "app/window/preferences_dialog.h"
 #include "app/window/shortcuts_dialog.h"
 #include "app/window/stereo_dialog.h"
-#include "engine/scenario/product_file.h"
+#include "engine/files/product_file.h"
 #include "widgets/devices/calibration_dialog.h"
 #include "widgets/devices/head_dialog.h"
 #include "widgets/editors/attribute_dialog.h"

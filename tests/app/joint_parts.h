@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "tests/engine/product/turned_parts.h"
+#include "tests/engine/fits/turned_parts.h"
 #include "widgets/panels/joint_table.h"
 
 namespace glissade::test {

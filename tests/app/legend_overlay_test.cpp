@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "engine/scenario/scenario_io.h"
+#include "engine/files/scenario_io.h"
 #include "tests/engine/support/directories.h"
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/contact_layer.h"

@@ -5,7 +5,7 @@
 
 #include <QLabel>
 
-#include "engine/scenario/scenario_io.h"
+#include "engine/files/scenario_io.h"
 
 namespace glissade {
 namespace {

@@ -7,7 +7,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "engine/environment/environment_model.h"
+#include "engine/places/environment_model.h"
 
 namespace glissade {
 namespace {

@@ -11,7 +11,7 @@
 
 #include <functional>
 
-#include "engine/scenario/scenario_io.h"
+#include "engine/files/scenario_io.h"
 #include "engine/session/run_comparison.h"
 #include "widgets/bridge/replay_runner.h"
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "engine/scenario/scenario_io.h"
+#include "engine/files/scenario_io.h"
 #include "tests/engine/support/directories.h"
 #include "tests/engine/support/temporary_folder.h"
 

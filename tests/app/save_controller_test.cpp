@@ -16,9 +16,9 @@
 #include "app/window/save_conflict.h"
 #include "engine/base/file.h"
 #include "engine/base/file_versions.h"
-#include "engine/scenario/assembly_edits.h"
-#include "engine/scenario/scenario_file.h"
-#include "tests/engine/scenario/scenario_fixture.h"
+#include "engine/files/assembly_edits.h"
+#include "engine/files/scenario_file.h"
+#include "tests/engine/files/scenario_fixture.h"
 #include "tests/engine/support/temporary_folder.h"
 #include "widgets/document/workbench_document.h"
 

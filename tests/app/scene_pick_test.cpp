@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/environment/environment_model.h"
+#include "engine/places/environment_model.h"
 #include "tests/engine/support/test_worlds.h"
 #include "widgets/scene3d/cell_surface.h"
 

@@ -2,7 +2,7 @@
 
 #include <QSignalSpy>
 
-#include "engine/scenario/scenario_io.h"
+#include "engine/files/scenario_io.h"
 #include "tests/engine/support/directories.h"
 #include "widgets/document/semantic_document.h"
 

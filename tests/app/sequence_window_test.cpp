@@ -4,7 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "engine/scenario/work_times_json.h"
+#include "engine/files/work_times_json.h"
 #include "tests/app/window_fixture.h"
 #include "tests/engine/support/step_files.h"
 

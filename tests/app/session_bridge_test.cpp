@@ -8,7 +8,7 @@
 #include <QThread>
 
 #include "engine/base/file.h"
-#include "engine/scenario/scenario_io.h"
+#include "engine/files/scenario_io.h"
 
 namespace glissade {
 namespace {

@@ -218,7 +218,7 @@ TEST_F(StudyCli, WrongUsageAndBadFilesGetOneClearMessage) {
 
 TEST_F(StudyCli, ADryRunWritesNothing) {
   ASSERT_EQ(shell(command("out", "--dry-run --quick")), 0) << said;
-  EXPECT_THAT(said, HasSubstr("1 cells, 1 runs"));
+  EXPECT_THAT(said, HasSubstr("1 cell, 1 run"));
   EXPECT_THAT(said, HasSubstr("--max-steps 100"));
   EXPECT_FALSE(fs::exists(path("out")));
 }

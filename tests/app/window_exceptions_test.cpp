@@ -9,7 +9,7 @@
 #include "app/window/guarded_application.h"
 #include "app/window/work_controller.h"
 #include "engine/base/guarded.h"
-#include "engine/scenario/scenario_io.h"
+#include "engine/files/scenario_io.h"
 #include "engine/session/run_comparison.h"
 #include "tests/engine/support/directories.h"
 #include "tests/engine/support/failing_allocation.h"

@@ -9,10 +9,10 @@
 #include <map>
 
 #include "engine/base/random_stream.h"
-#include "engine/scenario/hand_run.h"
-#include "engine/scenario/product_file.h"
-#include "engine/scenario/scenario_io.h"
-#include "engine/scenario/sequence_knowledge.h"
+#include "engine/files/hand_run.h"
+#include "engine/files/product_file.h"
+#include "engine/files/scenario_io.h"
+#include "engine/files/sequence_knowledge.h"
 #include "engine/sequence/demand_edits.h"
 #include "tests/engine/support/directories.h"
 #include "widgets/document/workbench_document.h"

@@ -1,5 +1,5 @@
 #include "widgets/document/workbench_document.h"
-#include "tests/engine/scenario/some_plan.h"
+#include "tests/engine/files/some_plan.h"
 #include "tests/engine/support/directories.h"
 
 #include <gtest/gtest.h>
@@ -9,8 +9,8 @@
 
 #include <algorithm>
 
-#include "engine/scenario/assembly_edits.h"
-#include "engine/scenario/scenario_io.h"
+#include "engine/files/assembly_edits.h"
+#include "engine/files/scenario_io.h"
 
 namespace glissade {
 namespace {

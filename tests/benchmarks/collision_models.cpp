@@ -9,7 +9,7 @@
 #include <map>
 
 #include "engine/base/random_stream.h"
-#include "engine/scenario/scenario_io.h"
+#include "engine/files/scenario_io.h"
 
 namespace glissade {
 namespace {

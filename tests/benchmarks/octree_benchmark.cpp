@@ -1,8 +1,8 @@
 // Compares moving one body with building the octree anew (paper 2, section 5.1.2: only the cells that the body leaves
 // or enters are rebuilt).
 #include "engine/base/random_stream.h"
-#include "engine/environment/octree.h"
 #include "engine/geometry/primitives.h"
+#include "engine/places/octree.h"
 #include "tests/benchmarks/benchmark_program.h"
 
 namespace glissade {

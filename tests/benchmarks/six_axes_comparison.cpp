@@ -12,9 +12,9 @@
 
 #include "engine/base/stop_token.h"
 #include "engine/collision/prepared_bodies.h"
+#include "engine/files/judged_product.h"
+#include "engine/files/product_file.h"
 #include "engine/geometry/thinned_mesh.h"
-#include "engine/scenario/judged_product.h"
-#include "engine/scenario/product_file.h"
 #include "engine/sequence/body_group.h"
 #include "engine/sequence/sequence_run.h"
 

@@ -10,6 +10,10 @@
 
 #include "engine/base/limits.h"
 #include "engine/base/utf8.h"
+#include "engine/files/path_reader.h"
+#include "engine/files/plan_file.h"
+#include "engine/files/run_record.h"
+#include "engine/files/scenario_io.h"
 #include "engine/import/formats/gltf_reader.h"
 #include "engine/import/formats/obj_reader.h"
 #include "engine/import/formats/ply_reader.h"
@@ -18,10 +22,6 @@
 #include "engine/import/step_answer.h"
 #include "engine/import/step_text_check.h"
 #include "engine/import/urdf_import.h"
-#include "engine/scenario/path_reader.h"
-#include "engine/scenario/plan_file.h"
-#include "engine/scenario/run_record.h"
-#include "engine/scenario/scenario_io.h"
 #include "engine/study/study_plan.h"
 #include "engine/study/study_reader.h"
 

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "engine/base/random_stream.h"
+#include "engine/files/path_text.h"
+#include "engine/files/scenario_io.h"
 #include "engine/planning/path_certificate.h"
-#include "engine/scenario/path_text.h"
-#include "engine/scenario/scenario_io.h"
 #include "engine/session/session.h"
 #include "tests/engine/support/independent_check.h"
 

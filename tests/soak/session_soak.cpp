@@ -8,8 +8,8 @@
 
 #include "engine/base/memory_use.h"
 #include "engine/base/random_stream.h"
+#include "engine/files/scenario_io.h"
 #include "engine/operator/device_registry.h"
-#include "engine/scenario/scenario_io.h"
 #include "engine/session/replay_session.h"
 #include "tests/engine/support/directories.h"
 

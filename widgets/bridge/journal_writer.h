@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include "engine/scenario/run_journal.h"
+#include "engine/files/run_journal.h"
 
 namespace glissade {
 

@@ -4,9 +4,9 @@
 #include <chrono>
 
 #include "engine/base/thread_team.h"
-#include "engine/product/joint_edits.h"
-#include "engine/product/joint_finder.h"
-#include "engine/scenario/judged_product.h"
+#include "engine/files/judged_product.h"
+#include "engine/fits/joint_edits.h"
+#include "engine/fits/joint_finder.h"
 #include "engine/sequence/sequence_run.h"
 
 namespace glissade {

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "engine/base/guarded.h"
+#include "engine/files/scenario_bodies.h"
 #include "engine/operator/device_registry.h"
-#include "engine/scenario/scenario_bodies.h"
 
 namespace glissade {
 namespace {

@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
+#include "engine/files/scenario_ptr.h"
 #include "engine/operator/hand_inputs.h"
-#include "engine/scenario/scenario_ptr.h"
 #include "engine/session/session.h"
 
 Q_DECLARE_METATYPE(glissade::SnapshotPtr)

@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include "engine/scenario/scenario_ptr.h"
+#include "engine/files/scenario_ptr.h"
 #include "widgets/bridge/background_task.h"
 
 namespace glissade {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/environment/rigid_body.h"
+#include "engine/places/rigid_body.h"
 #include "engine/planning/roadmap.h"
 
 namespace glissade {

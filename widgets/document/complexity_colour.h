@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/environment/rigid_body.h"
+#include "engine/places/rigid_body.h"
 
 namespace glissade {
 

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "engine/base/result.h"
-#include "engine/scenario/kept_path.h"
+#include "engine/files/kept_path.h"
 
 namespace glissade {
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "engine/environment/edit_binding.h"
-#include "engine/environment/held_edits.h"
+#include "engine/files/scenario_bodies.h"
+#include "engine/places/edit_binding.h"
+#include "engine/places/held_edits.h"
 #include "engine/planning/planner.h"
-#include "engine/scenario/scenario_bodies.h"
 #include "widgets/document/value_command.h"
 
 namespace glissade {

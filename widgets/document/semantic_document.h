@@ -5,8 +5,8 @@
 #include <QUndoStack>
 #include <optional>
 
+#include "engine/files/scenario.h"
 #include "engine/planning/coarse/scene_knowledge.h"
-#include "engine/scenario/scenario.h"
 
 namespace glissade {
 

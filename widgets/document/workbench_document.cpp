@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "engine/base/file.h"
-#include "engine/scenario/asset_path.h"
-#include "engine/scenario/forbidden_places_of.h"
-#include "engine/scenario/run_record.h"
-#include "engine/scenario/scenario_io.h"
+#include "engine/files/asset_path.h"
+#include "engine/files/forbidden_places_of.h"
+#include "engine/files/run_record.h"
+#include "engine/files/scenario_io.h"
 #include "widgets/document/value_command.h"
 
 namespace glissade {

@@ -7,9 +7,9 @@
 #include <functional>
 #include <optional>
 
+#include "engine/files/assembly_edits.h"
+#include "engine/files/scenario_ptr.h"
 #include "engine/planning/path_examination.h"
-#include "engine/scenario/assembly_edits.h"
-#include "engine/scenario/scenario_ptr.h"
 #include "widgets/document/arrangement_queue.h"
 #include "widgets/document/path_shelf.h"
 #include "widgets/document/semantic_document.h"

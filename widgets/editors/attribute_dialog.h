@@ -6,7 +6,7 @@
 #include <QLineEdit>
 #include <functional>
 
-#include "engine/environment/attribute.h"
+#include "engine/places/attribute.h"
 
 namespace glissade {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/environment/attribute.h"
+#include "engine/places/attribute.h"
 #include "widgets/document/semantic_document.h"
 
 namespace glissade {

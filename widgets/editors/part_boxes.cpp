@@ -4,8 +4,8 @@
 #include <QWheelEvent>
 
 #include "engine/base/length_units.h"
+#include "engine/files/part_files.h"
 #include "engine/import/step_import.h"
-#include "engine/scenario/part_files.h"
 #include "widgets/editors/parts_dialog.h"
 
 namespace glissade {

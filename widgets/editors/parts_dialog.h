@@ -11,8 +11,8 @@
 #include <optional>
 #include <vector>
 
-#include "engine/scenario/part_files.h"
-#include "engine/scenario/unit_guess.h"
+#include "engine/files/part_files.h"
+#include "engine/files/unit_guess.h"
 #include "widgets/bridge/background_task.h"
 
 namespace glissade {

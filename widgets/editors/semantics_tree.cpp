@@ -4,7 +4,7 @@
 #include <QHeaderView>
 #include <QLocale>
 
-#include "engine/assembly/body_path.h"
+#include "engine/model/body_path.h"
 #include "widgets/commands/colour_swatch.h"
 #include "widgets/commands/length_text.h"
 #include "widgets/document/complexity_colour.h"

@@ -4,8 +4,8 @@
 #include <functional>
 #include <memory>
 
-#include "engine/environment/rigid_body.h"
 #include "engine/operator/hand_inputs.h"
+#include "engine/places/rigid_body.h"
 #include "widgets/headset/headset_machine.h"
 #include "widgets/headset/headset_tools.h"
 #include "widgets/headset/room_placement.h"

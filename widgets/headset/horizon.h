@@ -4,7 +4,7 @@
 #include <osg/MatrixTransform>
 #include <osg/ref_ptr>
 
-#include "engine/environment/rigid_body.h"
+#include "engine/places/rigid_body.h"
 #include "widgets/headset/eye_sight.h"
 
 namespace glissade {

@@ -7,8 +7,8 @@
 
 #include <vector>
 
-#include "engine/environment/rigid_body.h"
 #include "engine/geometry/triangle_mesh.h"
+#include "engine/places/rigid_body.h"
 
 namespace glissade {
 

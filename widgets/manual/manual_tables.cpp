@@ -8,10 +8,10 @@
 #include <string_view>
 
 #include "engine/base/parameters.h"
-#include "engine/environment/attribute.h"
+#include "engine/files/path_exporter.h"
 #include "engine/operator/device_registry.h"
+#include "engine/places/attribute.h"
 #include "engine/planning/planner.h"
-#include "engine/scenario/path_exporter.h"
 #include "widgets/commands/diagnostic_text.h"
 
 namespace glissade {

@@ -8,7 +8,7 @@
 #include <functional>
 #include <optional>
 
-#include "engine/scenario/scenario.h"
+#include "engine/files/scenario.h"
 #include "engine/session/session.h"
 #include "widgets/panels/author_bar.h"
 #include "widgets/panels/run_history.h"

@@ -6,9 +6,9 @@
 #include <memory>
 #include <optional>
 
+#include "engine/files/scenario.h"
 #include "engine/planning/difficulty/difficulty.h"
 #include "engine/planning/difficulty/help_places.h"
-#include "engine/scenario/scenario.h"
 #include "widgets/commands/action_catalogue.h"
 #include "widgets/panels/way_slider.h"
 

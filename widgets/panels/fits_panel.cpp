@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/product/giving_way.h"
+#include "engine/fits/giving_way.h"
 #include "widgets/commands/diagnostic_text.h"
 #include "widgets/commands/length_text.h"
 #include "widgets/panels/row_search.h"

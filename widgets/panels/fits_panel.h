@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "engine/product/fit_table.h"
+#include "engine/fits/fit_table.h"
 #include "widgets/commands/action_catalogue.h"
 #include "widgets/panels/name_table.h"
 

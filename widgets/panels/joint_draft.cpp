@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/product/joint_edits.h"
-#include "engine/product/product_shapes.h"
-#include "engine/product/thread_pitch.h"
+#include "engine/fits/joint_edits.h"
+#include "engine/fits/product_shapes.h"
+#include "engine/fits/thread_pitch.h"
 
 namespace glissade {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "engine/product/assembled_product.h"
-#include "engine/product/joint.h"
+#include "engine/fits/assembled_product.h"
+#include "engine/fits/joint.h"
 
 namespace glissade {
 

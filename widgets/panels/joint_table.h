@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/base/enum_names.h"
-#include "engine/product/joint_edits.h"
+#include "engine/fits/joint_edits.h"
 #include "widgets/bridge/sequence_planner.h"
 
 namespace glissade {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <map>
 
-#include "engine/product/thread_pitch.h"
+#include "engine/fits/thread_pitch.h"
 #include "widgets/commands/diagnostic_text.h"
 #include "widgets/commands/length_text.h"
 

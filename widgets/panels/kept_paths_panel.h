@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "engine/scenario/kept_path_proof.h"
+#include "engine/files/kept_path_proof.h"
 #include "widgets/commands/action_catalogue.h"
 
 namespace glissade {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "engine/environment/rigid_body.h"
+#include "engine/places/rigid_body.h"
 
 namespace glissade {
 namespace {

@@ -10,8 +10,8 @@
 #include <array>
 #include <cmath>
 
+#include "engine/files/scenario_fits.h"
 #include "engine/planning/path_bounds.h"
-#include "engine/scenario/scenario_fits.h"
 #include "widgets/commands/length_text.h"
 
 namespace glissade {

@@ -8,9 +8,9 @@
 #include <memory>
 #include <optional>
 
+#include "engine/files/scenario.h"
 #include "engine/planning/path_examination.h"
 #include "engine/planning/path_spacing.h"
-#include "engine/scenario/scenario.h"
 #include "widgets/commands/action_catalogue.h"
 #include "widgets/panels/author_bar.h"
 #include "widgets/panels/clearance_curve.h"

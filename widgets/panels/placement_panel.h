@@ -6,8 +6,8 @@
 #include <QWidget>
 #include <optional>
 
+#include "engine/files/placement_points.h"
 #include "engine/geometry/pose.h"
-#include "engine/scenario/placement_points.h"
 #include "widgets/panels/quantity_box.h"
 
 namespace glissade {

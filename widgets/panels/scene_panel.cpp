@@ -4,8 +4,8 @@
 #include <QLocale>
 #include <QSignalBlocker>
 
-#include "engine/scenario/scenario_bodies.h"
-#include "engine/scenario/scenario_product.h"
+#include "engine/files/scenario_bodies.h"
+#include "engine/files/scenario_product.h"
 #include "widgets/commands/colour_swatch.h"
 #include "widgets/commands/length_text.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/scenario/assembly_edits.h"
+#include "engine/files/assembly_edits.h"
 
 namespace glissade {
 

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-#include "engine/environment/rigid_body.h"
+#include "engine/places/rigid_body.h"
 #include "widgets/scene3d/detail_node.h"
 #include "widgets/scene3d/geometry_builder.h"
 #include "widgets/scene3d/mergeable_body.h"

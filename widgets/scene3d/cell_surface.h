@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "engine/environment/free_space.h"
+#include "engine/places/free_space.h"
 
 namespace glissade {
 

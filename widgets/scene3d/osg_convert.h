@@ -4,8 +4,8 @@
 #include <osg/Vec3>
 #include <osg/Vec4>
 
-#include "engine/environment/rigid_body.h"
 #include "engine/geometry/pose.h"
+#include "engine/places/rigid_body.h"
 
 namespace glissade {
 

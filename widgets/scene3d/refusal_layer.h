@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "engine/scenario/end_conflicts.h"
+#include "engine/files/end_conflicts.h"
 #include "widgets/scene3d/body_shape.h"
 #include "widgets/scene3d/palette.h"
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/environment/topological_map.h"
 #include "engine/geometry/plane_section.h"
+#include "engine/places/topological_map.h"
 #include "widgets/scene3d/camera_controller.h"
 
 namespace glissade {

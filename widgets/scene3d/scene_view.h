@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "engine/base/work_watch.h"
+#include "engine/files/scenario.h"
 #include "engine/geometry/plane_section.h"
 #include "engine/planning/path_spacing.h"
-#include "engine/scenario/scenario.h"
 #include "engine/session/session.h"
 #include "engine/sweep/swept_volume.h"
 #include "widgets/scene3d/display_mode.h"

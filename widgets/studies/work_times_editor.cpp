@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-#include "engine/scenario/work_times_json.h"
+#include "engine/files/work_times_json.h"
 #include "widgets/commands/diagnostic_text.h"
 #include "widgets/commands/flow_layout.h"
 #include "widgets/studies/work_time_texts.h"

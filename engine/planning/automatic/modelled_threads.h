@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
+#include "engine/fits/modelled_thread.h"
 #include "engine/planning/screw_ways.h"
-#include "engine/product/modelled_thread.h"
 
 namespace glissade {
 

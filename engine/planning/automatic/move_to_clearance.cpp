@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <sstream>
 #include <utility>
 #include <vector>
 
+#include "engine/base/number_text.h"
+#include "engine/fits/contact_report.h"
 #include "engine/planning/automatic/contact_faces.h"
 #include "engine/planning/automatic/eroded_worlds.h"
 #include "engine/planning/automatic/retraction.h"
-#include "engine/product/contact_report.h"
 
 namespace glissade {
 namespace {
@@ -26,13 +26,6 @@ constexpr double kShortestWayOut = 0.01;
 constexpr double kLongestWayOut = 4.0;
 constexpr double kWayOutFactor = 1.25;
 constexpr std::size_t kWayOutFaces = 6;
-
-/// The length in millimetres with six significant digits, without the unit.
-std::string millimetres(double metres) {
-  std::ostringstream text;
-  text << 1e3 * metres;
-  return text.str();
-}
 
 class MoveToClearance {
  public:
@@ -78,7 +71,7 @@ class MoveToClearance {
             "",
             "",
             {GLISSADE_TEXT("%1; no clear position was found within %2 mm"),
-             {reason, millimetres(kLongestWayOut * world_->objectRadius())}},
+             {reason, shortText(1e3 * kLongestWayOut * world_->objectRadius())}},
             GLISSADE_TEXT("Switch fits on, put the object elsewhere, or check the parts and their unit.")};
   }
 
@@ -131,7 +124,7 @@ class MoveToClearance {
     if (report.contacts.empty()) return {GLISSADE_TEXT("the object penetrates '%1'"), {obstacle.shown()}};
     const double overlap = report.contacts.front().overlap;
     if (overlap <= 0.0) return {GLISSADE_TEXT("the object touches '%1'"), {obstacle.shown()}};
-    return {GLISSADE_TEXT("the object overlaps '%1' by %2 mm"), {obstacle.shown(), millimetres(overlap)}};
+    return {GLISSADE_TEXT("the object overlaps '%1' by %2 mm"), {obstacle.shown(), shortText(1e3 * overlap)}};
   }
 
   const CollisionWorldPtr& world_;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/environment/edit_binding.h"
+#include "engine/places/edit_binding.h"
 #include "engine/planning/random_shooter.h"
 
 namespace glissade {

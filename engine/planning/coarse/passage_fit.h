@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "engine/collision/collision_query.h"
-#include "engine/environment/environment_model.h"
+#include "engine/places/environment_model.h"
 #include "engine/planning/sampling_region.h"
 
 namespace glissade {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/base/stop_token.h"
-#include "engine/environment/environment_model.h"
+#include "engine/places/environment_model.h"
 #include "engine/planning/problem.h"
 
 namespace glissade {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/base/stop_token.h"
-#include "engine/environment/knowledge_source.h"
+#include "engine/places/knowledge_source.h"
 #include "engine/planning/coarse/passage_fit.h"
 #include "engine/planning/coarse/strategy_rules.h"
 #include "engine/planning/problem.h"

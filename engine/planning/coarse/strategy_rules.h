@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/environment/attribute.h"
+#include "engine/places/attribute.h"
 #include "engine/planning/coarse/expression.h"
 
 namespace glissade {

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "engine/environment/semantic_model.h"
+#include "engine/places/semantic_model.h"
 #include "engine/planning/coarse/coarse_plan.h"
 #include "engine/planning/coarse/strategy_rules.h"
 

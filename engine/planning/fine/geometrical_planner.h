@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/environment/environment_model.h"
+#include "engine/places/environment_model.h"
 #include "engine/planning/sampling_region.h"
 
 namespace glissade {

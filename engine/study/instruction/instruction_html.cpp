@@ -110,12 +110,12 @@ class Page {
     for (const PartsListRow& row : instruction_.parts) parts += row.count;
     std::string tools;
     for (const std::string& tool : instruction_.tools) tools += (tools.empty() ? "" : " · ") + tool;
-    out_ +=
-        "<section>\n<div class=\"top\"><div class=\"words\">\n" + paragraph("work", instruction_.title) +
-        paragraph(
-            "", say(GLISSADE_TEXT("%1 parts, %2 steps"), {std::to_string(parts), std::to_string(instruction_.steps)})) +
-        (tools.empty() ? std::string() : paragraph("", say(GLISSADE_TEXT("Tools: %1"), {tools}))) + "</div></div>\n" +
-        "<div class=\"picture\">" + image("image/png", pictures_.finished, instruction_.title) + "</div>\n</section>\n";
+    out_ += "<section>\n<div class=\"top\"><div class=\"words\">\n" + paragraph("work", instruction_.title) +
+            paragraph("", say(GLISSADE_TEXT("%1 {1|part|parts}, %2 {2|step|steps}"),
+                              {std::to_string(parts), std::to_string(instruction_.steps)})) +
+            (tools.empty() ? std::string() : paragraph("", say(GLISSADE_TEXT("Tools: %1"), {tools}))) +
+            "</div></div>\n" + "<div class=\"picture\">" + image("image/png", pictures_.finished, instruction_.title) +
+            "</div>\n</section>\n";
   }
 
   std::string cell(PartsColumn column, const PartsListRow& row) const {

@@ -109,11 +109,11 @@ InstructionPage PageMaker::cover() const {
   std::size_t parts = 0;
   for (const PartsListRow& row : instruction_.parts) parts += row.count;
   const double top = area.bottom() - kFacts + 3.0;
-  made.texts.push_back(
-      {{area.x, top, area.width, 8.0},
-       say(GLISSADE_TEXT("%1 parts, %2 steps"), {std::to_string(parts), std::to_string(instruction_.steps)}),
-       kWorkPoints,
-       true});
+  made.texts.push_back({{area.x, top, area.width, 8.0},
+                        say(GLISSADE_TEXT("%1 {1|part|parts}, %2 {2|step|steps}"),
+                            {std::to_string(parts), std::to_string(instruction_.steps)}),
+                        kWorkPoints,
+                        true});
   std::string tools;
   for (const std::string& tool : instruction_.tools) tools += (tools.empty() ? "" : " · ") + tool;
   if (!tools.empty()) {

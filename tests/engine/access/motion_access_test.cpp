@@ -6,7 +6,7 @@
 
 #include "engine/access/object_holds.h"
 #include "engine/access/placed_hand.h"
-#include "tests/engine/product/ring.h"
+#include "tests/engine/fits/ring.h"
 #include "tests/engine/support/test_worlds.h"
 
 namespace glissade {

@@ -86,6 +86,30 @@ TEST(Catalogue, FrenchHasThePlaceholdersOfEnglish) {
   }
 }
 
+/// True if each "{" begins two forms of a word for a number that the text shows.
+bool hasWholeForms(std::string text) {
+  static const std::regex forms(R"re(\{([1-9])\|([^{}|]+)\|([^{}|]+)\})re");
+  std::smatch match;
+  const std::string whole = text;
+  while (std::regex_search(text, match, forms)) {
+    if (whole.find("%" + match[1].str()) == std::string::npos) return false;
+    text = match.prefix().str() + match.suffix().str();
+  }
+  return text.find('|') == std::string::npos || text.find('{') == std::string::npos;
+}
+
+TEST(Catalogue, FormsOfWordsBelongToShownNumbers) {
+  std::size_t found = 0;
+  for (const FrenchText& text : frenchTexts()) {
+    EXPECT_TRUE(hasWholeForms(std::string(text.english))) << text.english;
+    EXPECT_TRUE(hasWholeForms(std::string(text.french))) << text.french;
+    if (text.english.find('|') != std::string_view::npos) ++found;
+  }
+  EXPECT_GT(found, 20U);
+  EXPECT_FALSE(hasWholeForms("%1 {2|part|parts}"));
+  EXPECT_FALSE(hasWholeForms("%1 {1|part}"));
+}
+
 TEST(Catalogue, TextsAreReadFromSources) {
   EXPECT_EQ(textsIn(R"(f(GLISSADE_TEXT("a \"b\" "
                 "c"), {x}, GLISSADE_TEXT("d"));)"),

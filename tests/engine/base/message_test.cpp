@@ -35,6 +35,22 @@ TEST(Message, TextsThatTheCatalogueHasNotAreEnglish) {
   EXPECT_EQ(toString(Message(CatalogueText{"said by nobody"}), Language::French), "said by nobody");
 }
 
+TEST(Message, WordsAgreeWithTheirNumber) {
+  const auto leaving = [](std::size_t parts) {
+    return Message{GLISSADE_TEXT("%1 of %2 {2|part|parts} {1|leaves|leave} in %3 {3|step|steps}"), {parts, 2, 1}};
+  };
+  EXPECT_EQ(toString(leaving(0)), "0 of 2 parts leave in 1 step");
+  EXPECT_EQ(toString(leaving(1)), "1 of 2 parts leaves in 1 step");
+  EXPECT_EQ(toString(leaving(0), Language::French), "0 pièce sur 2 sort en 1 étape");
+  EXPECT_EQ(toString(leaving(2), Language::French), "2 pièces sur 2 sortent en 1 étape");
+}
+
+TEST(Message, BracesThatAreNoFormsStay) {
+  for (const char* text : {"{", "{1", "{1|a", "{1|a}", "{0|a|b}", "{2|a|b}", "{x|a|b}", "}{1|}"}) {
+    EXPECT_EQ(toString(Message(CatalogueText{text}, {7})), text);
+  }
+}
+
 TEST(Message, SeveralBecomeOne) {
   EXPECT_TRUE(joined({}, "; ").empty());
   EXPECT_EQ(toString(joined({Message(std::string("a")), Message(std::string("b")), Message(std::string("c"))}, "; ")),

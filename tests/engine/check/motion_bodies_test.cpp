@@ -4,7 +4,7 @@
 
 #include <thread>
 
-#include "engine/check/thinning.h"
+#include "engine/evidence/thinning.h"
 #include "engine/geometry/primitives.h"
 
 namespace glissade::check {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "engine/check/motion_check.h"
-#include "engine/check/ray_containment.h"
+#include "engine/evidence/ray_containment.h"
 #include "tests/engine/support/random_pose.h"
 #include "tests/engine/support/test_worlds.h"
 

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "engine/check/verdict_report.h"
+#include "engine/files/judged_product.h"
 #include "engine/planning/screw_motion.h"
-#include "engine/scenario/judged_product.h"
-#include "tests/engine/product/screwed_parts.h"
+#include "tests/engine/fits/screwed_parts.h"
 #include "tests/engine/sequence/products.h"
 
 namespace glissade {

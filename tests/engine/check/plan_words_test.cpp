@@ -8,10 +8,10 @@
 
 #include "engine/check/standard_pitch.h"
 #include "engine/check/verdict_report.h"
+#include "engine/files/judged_product.h"
 #include "engine/planning/screw_motion.h"
-#include "engine/scenario/judged_product.h"
 #include "engine/sequence/sequence_run.h"
-#include "tests/engine/product/screwed_parts.h"
+#include "tests/engine/fits/screwed_parts.h"
 #include "tests/engine/sequence/products.h"
 
 namespace glissade {

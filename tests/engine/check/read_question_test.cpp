@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <tuple>
 
-#include "engine/scenario/judged_product.h"
-#include "engine/scenario/scenario_file.h"
-#include "engine/scenario/scenario_io.h"
+#include "engine/files/judged_product.h"
+#include "engine/files/scenario_file.h"
+#include "engine/files/scenario_io.h"
 #include "tests/engine/support/directories.h"
 #include "tests/engine/support/random_pose.h"
 #include "tests/engine/support/temporary_folder.h"

@@ -4,7 +4,7 @@
 #include "engine/geometry/mesh_audit.h"
 #include "engine/geometry/thinned_mesh.h"
 #include "engine/geometry/triangle_tree.h"
-#include "tests/engine/product/ring.h"
+#include "tests/engine/fits/ring.h"
 #include "tests/engine/support/independent_check.h"
 #include "tests/engine/support/random_pose.h"
 #include "tests/engine/support/test_worlds.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/engine/product/screwed_parts.h"
+#include "tests/engine/fits/screwed_parts.h"
 #include "tests/engine/support/independent_check.h"
 #include "tests/engine/support/random_pose.h"
 

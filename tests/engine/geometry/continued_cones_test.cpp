@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "engine/base/random_stream.h"
-#include "engine/check/thinning.h"
+#include "engine/evidence/thinning.h"
 #include "engine/geometry/thinned_mesh.h"
 
 namespace glissade {

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "engine/check/thinning.h"
+#include "engine/evidence/thinning.h"
 #include "engine/geometry/mesh_audit.h"
 #include "engine/geometry/primitives.h"
 #include "engine/geometry/triangle_tree.h"
-#include "tests/engine/product/ring.h"
+#include "tests/engine/fits/ring.h"
 #include "tests/engine/support/random_pose.h"
 
 namespace glissade {

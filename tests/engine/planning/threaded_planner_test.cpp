@@ -7,7 +7,7 @@
 #include "engine/planning/path_certificate.h"
 #include "engine/planning/screw_motion.h"
 #include "engine/planning/smoothing/shortcuts.h"
-#include "tests/engine/product/screwed_parts.h"
+#include "tests/engine/fits/screwed_parts.h"
 #include "tests/engine/support/independent_check.h"
 #include "tests/engine/support/test_host.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "engine/base/tolerances.h"
-#include "engine/scenario/judged_product.h"
+#include "engine/files/judged_product.h"
 #include "engine/sequence/demand_conflicts.h"
 #include "engine/sequence/demanding_trial.h"
 #include "engine/sequence/sequence_run.h"

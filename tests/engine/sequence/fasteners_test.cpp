@@ -4,7 +4,7 @@
 
 #include "engine/base/random_stream.h"
 #include "engine/import/step_import.h"
-#include "tests/engine/product/ring.h"
+#include "tests/engine/fits/ring.h"
 #include "tests/engine/sequence/products.h"
 #include "tests/engine/support/step_files.h"
 

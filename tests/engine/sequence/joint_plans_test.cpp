@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <numbers>
 
-#include "engine/scenario/judged_product.h"
+#include "engine/files/judged_product.h"
 #include "engine/sequence/joined_units.h"
 #include "engine/sequence/joint_removal.h"
 #include "engine/sequence/joint_rules.h"
 #include "engine/sequence/sequence_run.h"
 #include "engine/sequence/step_joints.h"
-#include "tests/engine/product/ring.h"
+#include "tests/engine/fits/ring.h"
 #include "tests/engine/sequence/products.h"
 
 namespace glissade {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "engine/base/random_stream.h"
+#include "engine/files/judged_product.h"
 #include "engine/planning/path_certificate.h"
-#include "engine/scenario/judged_product.h"
 #include "engine/sequence/motion_world.h"
 #include "tests/engine/sequence/products.h"
 

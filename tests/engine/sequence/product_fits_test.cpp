@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "engine/check/verdict_report.h"
-#include "engine/scenario/judged_product.h"
-#include "tests/engine/product/ring.h"
+#include "engine/files/judged_product.h"
+#include "tests/engine/fits/ring.h"
 #include "tests/engine/sequence/products.h"
 
 namespace glissade {

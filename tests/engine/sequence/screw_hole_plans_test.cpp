@@ -2,10 +2,10 @@
 // without hand-made joints.
 #include <gtest/gtest.h>
 
-#include "engine/check/named_screw.h"
-#include "engine/scenario/judged_product.h"
+#include "engine/evidence/named_screw.h"
+#include "engine/files/judged_product.h"
 #include "engine/sequence/sequence_run.h"
-#include "tests/engine/product/turned_parts.h"
+#include "tests/engine/fits/turned_parts.h"
 #include "tests/engine/sequence/products.h"
 
 namespace glissade {

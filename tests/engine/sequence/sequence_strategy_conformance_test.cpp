@@ -5,7 +5,7 @@
 #include <set>
 
 #include "engine/check/verdict_report.h"
-#include "engine/scenario/judged_product.h"
+#include "engine/files/judged_product.h"
 #include "tests/engine/sequence/products.h"
 
 namespace glissade {

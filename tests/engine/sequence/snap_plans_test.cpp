@@ -5,14 +5,14 @@
 #include <numbers>
 
 #include "engine/base/random_stream.h"
-#include "engine/check/hook.h"
-#include "engine/product/joint_edits.h"
-#include "engine/product/joint_finder.h"
-#include "engine/product/snap_ways.h"
-#include "engine/scenario/judged_product.h"
+#include "engine/evidence/hook.h"
+#include "engine/files/judged_product.h"
+#include "engine/fits/joint_edits.h"
+#include "engine/fits/joint_finder.h"
+#include "engine/fits/snap_ways.h"
 #include "engine/sequence/joint_rules.h"
 #include "engine/sequence/sequence_run.h"
-#include "tests/engine/product/ring.h"
+#include "tests/engine/fits/ring.h"
 #include "tests/engine/sequence/products.h"
 
 namespace glissade {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "engine/scenario/judged_product.h"
+#include "engine/files/judged_product.h"
 #include "engine/sequence/plan_steps.h"
 #include "tests/engine/sequence/products.h"
 

@@ -9,7 +9,7 @@
 #include "engine/sequence/sequence_run.h"
 #include "engine/sequence/solid_mass.h"
 #include "engine/sequence/tool_shape.h"
-#include "tests/engine/product/ring.h"
+#include "tests/engine/fits/ring.h"
 #include "tests/engine/sequence/products.h"
 
 namespace glissade {

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "engine/base/thread_team.h"
-#include "engine/product/fit_table.h"
-#include "engine/scenario/judged_product.h"
+#include "engine/files/judged_product.h"
+#include "engine/fits/fit_table.h"
 #include "engine/sequence/sequence_run.h"
-#include "tests/engine/product/threaded_screw.h"
+#include "tests/engine/fits/threaded_screw.h"
 #include "tests/engine/sequence/products.h"
 
 namespace glissade {

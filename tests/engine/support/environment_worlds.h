@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/environment/environment_model.h"
+#include "engine/places/environment_model.h"
 #include "tests/engine/support/random_pose.h"
 #include "tests/engine/support/test_worlds.h"
 

@@ -8,12 +8,12 @@
 
 #include "engine/base/message.h"
 #include "engine/check/motion_check.h"
-#include "engine/check/thinning.h"
 #include "engine/collision/motion_certificate.h"
 #include "engine/collision/thread_rule.h"
-#include "engine/product/fit_words.h"
-#include "engine/product/object_fits.h"
-#include "engine/scenario/judged_product.h"
+#include "engine/evidence/thinning.h"
+#include "engine/files/judged_product.h"
+#include "engine/fits/fit_words.h"
+#include "engine/fits/object_fits.h"
 
 namespace glissade {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "engine/files/scenario_io.h"
 #include "engine/geometry/triangle_mesh.h"
-#include "engine/scenario/scenario_io.h"
 
 namespace glissade::test {
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <string>
 
+#include "engine/files/scenario_io.h"
 #include "engine/planning/coarse/scene_knowledge.h"
-#include "engine/scenario/scenario_io.h"
 #include "tests/engine/support/directories.h"
 
 namespace glissade::test {

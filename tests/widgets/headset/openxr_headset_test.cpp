@@ -11,9 +11,9 @@
 #include <random>
 #include <thread>
 
+#include "engine/files/scenario_io.h"
 #include "engine/geometry/primitives.h"
 #include "engine/planning/clearance_profile.h"
-#include "engine/scenario/scenario_io.h"
 #include "tests/app/golden_picture.h"
 #include "tests/widgets/headset/runtime/headset_script.h"
 #include "tests/widgets/headset/window_target.h"

@@ -12,9 +12,9 @@
 #include <stdexcept>
 #include <thread>
 
+#include "engine/files/scenario_io.h"
 #include "engine/operator/haptic/haptic_operator.h"
 #include "engine/operator/haptic/simulated_haptic_device.h"
-#include "engine/scenario/scenario_io.h"
 #include "tests/engine/operator/haptic/haptic_support.h"
 #include "tests/engine/support/directories.h"
 #include "tests/engine/support/random_pose.h"

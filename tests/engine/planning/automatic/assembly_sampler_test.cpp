@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/files/scenario_io.h"
 #include "engine/planning/automatic/automatic_planner.h"
-#include "engine/scenario/scenario_io.h"
 #include "tests/engine/support/directories.h"
 #include "tests/engine/support/test_host.h"
 #include "tests/engine/support/test_worlds.h"

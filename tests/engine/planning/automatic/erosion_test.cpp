@@ -4,7 +4,7 @@
 #include "engine/planning/automatic/erodible_mesh.h"
 #include "engine/planning/automatic/move_to_clearance.h"
 #include "engine/planning/automatic/retraction.h"
-#include "tests/engine/product/ring.h"
+#include "tests/engine/fits/ring.h"
 #include "tests/engine/support/test_worlds.h"
 
 namespace glissade {

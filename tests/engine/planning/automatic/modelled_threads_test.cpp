@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/files/scenario_io.h"
 #include "engine/geometry/primitives.h"
 #include "engine/planning/automatic/member.h"
 #include "engine/planning/path_certificate.h"
-#include "engine/scenario/scenario_io.h"
 #include "samples/nut-and-bolt/shapes.h"
 #include "tests/engine/support/directories.h"
 #include "tests/engine/support/independent_check.h"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/scenario/scenario_io.h"
+#include "engine/files/scenario_io.h"
 #include "tests/engine/support/directories.h"
 #include "tests/engine/support/test_host.h"
 

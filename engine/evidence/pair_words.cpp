@@ -1,0 +1,39 @@
+#include "engine/evidence/pair_words.h"
+
+#include <algorithm>
+
+namespace glissade::check {
+
+bool FitWords::isCut(const std::string& id) const {
+  return std::any_of(cut.begin(), cut.end(), [&](const std::string& name) {
+    return id == name || (id.size() > name.size() && id.ends_with(name) && id[id.size() - name.size() - 1] == '/');
+  });
+}
+
+const SnapWord* FitWords::snapOf(const std::string& a, const std::string& b) const {
+  const auto found = std::find_if(snaps.begin(), snaps.end(), [&](const SnapWord& word) {
+    return (word.hook == a && word.edge == b) || (word.hook == b && word.edge == a);
+  });
+  return found == snaps.end() ? nullptr : &*found;
+}
+
+Message FitWords::partingOf(const std::string& a, const std::string& b) const {
+  if (partings.anyPair) return GLISSADE_TEXT("a person uses no joints");
+  const std::pair<std::string, std::string> pair = std::minmax(a, b);
+  if (std::find(partings.pairs.begin(), partings.pairs.end(), pair) != partings.pairs.end()) {
+    return GLISSADE_TEXT("a person has dissolved their joint, or has it pressed out");
+  }
+  const PairWord* word = about(a, b);
+  if (word == nullptr || word->isThread()) return {};
+  if (!word->kind.empty()) return {GLISSADE_TEXT("a person calls the pair '%1'"), {word->kind}};
+  return word->accepted ? Message(GLISSADE_TEXT("a person accepts their clash")) : Message();
+}
+
+const PairWord* FitWords::about(const std::string& a, const std::string& b) const {
+  const auto found = std::find_if(pairs.begin(), pairs.end(), [&](const PairWord& word) {
+    return (word.a == a && word.b == b) || (word.a == b && word.b == a);
+  });
+  return found == pairs.end() ? nullptr : &*found;
+}
+
+}  // namespace glissade::check

@@ -1,0 +1,167 @@
+#include "engine/evidence/placed_bodies.h"
+
+#include <cmath>
+
+namespace glissade::check {
+namespace {
+
+double rounded(double number) {
+  constexpr double kStep = 0x1p-34;
+  return std::round(number / kStep) * kStep + 0.0;  // no -0
+}
+
+/// Maps poses that differ by rounding errors to one pose, so that no result depends on which of several congruent pairs
+/// is measured first.
+Pose rounded(const Pose& pose) {
+  const auto& q = pose.orientation;
+  const Quaternion same = q.w() < 0.0 ? Quaternion(-q.coeffs()) : q;
+  Eigen::Vector4d coefficients = same.coeffs();
+  for (double& each : coefficients) each = rounded(each);
+  const Vector3& p = pose.position;
+  return {{rounded(p.x()), rounded(p.y()), rounded(p.z())}, Quaternion(coefficients).normalized()};
+}
+
+/// The first body of a pair stays in its own frame and is prepared once; the second one is prepared for each relative
+/// pose. The larger mesh is therefore the first.
+bool isFirst(const Body& one, const Body& other) {
+  const std::size_t triangles = one.mesh->triangles.size();
+  const std::size_t others = other.mesh->triangles.size();
+  return triangles != others ? triangles > others : one.id < other.id;
+}
+
+AllowanceBound noBound(const Body& body) {
+  AllowanceBound none;
+  none.atMost.assign(body.mesh->triangles.size(), 0.0);
+  return none;
+}
+
+}  // namespace
+
+const PlacedBody& PlacedBodies::at(const Placement& placement) {
+  const TriangleMesh* mesh = placement.body.mesh.get();
+  const std::lock_guard lock(mutex_);
+  std::vector<Entry>& entries = entries_[mesh];
+  for (const Entry& entry : entries) {
+    if (entry.X_WB == placement.X_WB) return *entry.placed;
+  }
+  entries.push_back({placement.X_WB, std::make_unique<const PlacedBody>(placement.body, placement.X_WB)});
+  return *entries.back().placed;
+}
+
+PlacedBodies::MeasuredPtr PlacedBodies::measured(const PlacedBody& one, const PlacedBody& other, const Body& otherBody,
+                                                 const StopToken& stop) {
+  {
+    const std::lock_guard lock(mutex_);
+    const auto known = pairs_.find({&one, &other});
+    if (known != pairs_.end()) return known->second;
+  }
+  MeasuredPair pair = measurePair(one, other, stop);
+  if (pair.other.patches) {
+    pair.other.mesh = std::make_shared<const TriangleMesh>(pair.other.patches->divided(*otherBody.mesh));
+  }
+  auto found = std::make_shared<const MeasuredPair>(std::move(pair));
+  if (stop.stopRequested()) return found;
+  const std::lock_guard lock(mutex_);
+  return pairs_.try_emplace({&one, &other}, std::move(found)).first->second;
+}
+
+PairBounds PlacedBodies::boundsOf(const Placement& one, const Placement& other, const FitWords& fits,
+                                  const PairWord* word, const StopToken& stop) {
+  PairBounds bounds = boundsInContact(one, other, fits, word, stop);
+  if (const SnapWord* snap = fits.snapOf(one.body.id, other.body.id)) {
+    const bool hookIsOne = snap->hook == one.body.id;
+    if (hookIsOne) {
+      addHook(*snap, one, other, bounds.one, stop);
+    } else {
+      addHook(*snap, other, one, bounds.other, stop);
+    }
+  }
+  return bounds;
+}
+
+/// Works in the frame of the body with the hook; the direction is stated where the product is assembled. Adds nothing
+/// for a bend larger than any hook of the body permits.
+void PlacedBodies::addHook(const SnapWord& snap, const Placement& hook, const Placement& edge, AllowanceBound& bound,
+                           const StopToken& stop) {
+  if (snap.bend > mostBendOf(*hook.body.mesh)) return;
+  const PlacedBody& own = at({hook.body, Pose::identity()});
+  const PlacedBody& other = at({edge.body, rounded(inverse(hook.X_WB) * edge.X_WB)});
+  const Vector3 direction = hook.body.X_WB.orientation.conjugate() * snap.direction;
+  const auto regions = measuredHook({own, other, direction, snap.bend}, stop);
+  addBend(*regions, snap.bend, own, own.spacing + other.spacing, bound);
+}
+
+PlacedBodies::HookPtr PlacedBodies::measuredHook(const HookQuestion& question, const StopToken& stop) {
+  const Vector3& d = question.direction;
+  const HookKey key{&question.hook, &question.edge, d.x(), d.y(), d.z(), question.bend};
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto known = hooks_.find(key); known != hooks_.end()) return known->second;
+  }
+  auto found = std::make_shared<const std::vector<bool>>(hookRegions(question, stop));
+  if (stop.stopRequested()) return found;
+  const std::lock_guard lock(mutex_);
+  return hooks_.try_emplace(key, std::move(found)).first->second;
+}
+
+MeshPtr PlacedBodies::hollowOf(const Placement& body, const Placement& guest, const StopToken& stop) {
+  const PlacedBody& own = at({body.body, Pose::identity()});
+  const PlacedBody& other = at({guest.body, rounded(inverse(body.X_WB) * guest.X_WB)});
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto known = hollows_.find({&own, &other}); known != hollows_.end()) return known->second;
+  }
+  std::optional<TriangleMesh> made = hollowed(own, other, stop);
+  MeshPtr found = made ? std::make_shared<const TriangleMesh>(std::move(*made)) : nullptr;
+  if (stop.stopRequested()) return found;
+  const std::lock_guard lock(mutex_);
+  return hollows_.try_emplace({&own, &other}, std::move(found)).first->second;
+}
+
+PlacedBodies::Ordered PlacedBodies::ordered(const Placement& one, const Placement& other) {
+  const bool inOrder = isFirst(one.body, other.body);
+  const Placement& first = inOrder ? one : other;
+  const Placement& second = inOrder ? other : one;
+  return {inOrder, at({first.body, Pose::identity()}), second.body, rounded(inverse(first.X_WB) * second.X_WB)};
+}
+
+Cut PlacedBodies::cutOf(const Placement& one, const Placement& other, const FitWords& fits, const StopToken& stop) {
+  const Ordered pair = ordered(one, other);
+  const PlacedBody& first = pair.first;
+  const PlacedBody& second = at({pair.secondBody, pair.second});
+  const auto shape = [&] {
+    {
+      const std::lock_guard lock(mutex_);
+      if (const auto known = cuts_.find({&first, &second}); known != cuts_.end()) return known->second;
+    }
+    const CutShape found = cutShapeOf(first, second, stop);
+    if (stop.stopRequested()) return found;
+    const std::lock_guard lock(mutex_);
+    return cuts_.try_emplace({&first, &second}, found).first->second;
+  }();
+  const bool namesOne = fits.isCut(one.body.id);
+  const bool namesOther = fits.isCut(other.body.id);
+  const Cut cut =
+      pair.isInOrder ? check::cutOf(shape, namesOne, namesOther) : check::cutOf(shape, namesOther, namesOne);
+  if (pair.isInOrder || (cut != Cut::One && cut != Cut::Other)) return cut;
+  return cut == Cut::One ? Cut::Other : Cut::One;
+}
+
+PairBounds PlacedBodies::boundsInContact(const Placement& one, const Placement& other, const FitWords& fits,
+                                         const PairWord* word, const StopToken& stop) {
+  const Ordered order = ordered(one, other);
+  const PlacedBody& a = order.first;
+  const PlacedBody& own = at({order.secondBody, Pose::identity()});
+  const Box3 box = own.tree.box().transformed(toIsometry(order.second));
+  if (a.tree.box().exteriorDistance(box) > touchingReach(a, own)) {
+    return {noBound(one.body), noBound(other.body)};
+  }
+  const PlacedBody& b = at({order.secondBody, order.second});
+  const MeasuredPtr pair = measured(a, b, order.secondBody, stop);
+  const MeasuredBody ofFirst{a, pair->one};
+  const MeasuredBody ofSecond{b, pair->other};
+  return order.isInOrder ? check::boundsOf(ofFirst, ofSecond, fits, word)
+                         : check::boundsOf(ofSecond, ofFirst, fits, word);
+}
+
+}  // namespace glissade::check

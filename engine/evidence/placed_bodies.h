@@ -1,0 +1,73 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "engine/base/stop_token.h"
+#include "engine/evidence/cut_shape.h"
+#include "engine/evidence/evidence.h"
+#include "engine/evidence/hollow.h"
+#include "engine/evidence/hook.h"
+#include "engine/evidence/pair_words.h"
+#include "engine/evidence/placed_body.h"
+
+namespace glissade::check {
+
+/// A body at the pose in which it is compared with others; it may be assembled elsewhere.
+struct Placement {
+  const Body& body;
+  Pose X_WB;
+};
+
+/// Prepares bodies once and measures pairs once. Thread-safe. Pairs of the same two meshes at the same relative pose,
+/// to 60 picometres, are one pair.
+class PlacedBodies {
+ public:
+  const PlacedBody& at(const Placement& placement);
+  /// The allowances that the evidence gives for the two bodies, in this order. After a stop the pair is not stored.
+  PairBounds boundsOf(const Placement& one, const Placement& other, const FitWords& fits, const PairWord* word,
+                      const StopToken& stop);
+
+  /// The body without the volume that the guest fills, in the body's frame; null if hollowed() gives nothing.
+  MeshPtr hollowOf(const Placement& body, const Placement& guest, const StopToken& stop);
+  /// The body that is cut if their clash is accepted.
+  Cut cutOf(const Placement& one, const Placement& other, const FitWords& fits, const StopToken& stop);
+
+ private:
+  using MeasuredPtr = std::shared_ptr<const MeasuredPair>;
+  using HookPtr = std::shared_ptr<const std::vector<bool>>;
+  /// The two bodies, the direction and the bend.
+  using HookKey = std::tuple<const PlacedBody*, const PlacedBody*, double, double, double, double>;
+  PairBounds boundsInContact(const Placement& one, const Placement& other, const FitWords& fits, const PairWord* word,
+                             const StopToken& stop);
+  /// A pair in the frame of its first body, whichever order the two were given in.
+  struct Ordered {
+    bool isInOrder;
+    const PlacedBody& first;
+    const Body& secondBody;
+    Pose second;
+  };
+  Ordered ordered(const Placement& one, const Placement& other);
+  /// `otherBody`: the body of `other`, which is placed in the frame of `one`.
+  MeasuredPtr measured(const PlacedBody& one, const PlacedBody& other, const Body& otherBody, const StopToken& stop);
+  void addHook(const SnapWord& snap, const Placement& hook, const Placement& edge, AllowanceBound& bound,
+               const StopToken& stop);
+  HookPtr measuredHook(const HookQuestion& question, const StopToken& stop);
+
+  struct Entry {
+    Pose X_WB;
+    std::unique_ptr<const PlacedBody> placed;
+  };
+  std::mutex mutex_;
+  std::map<const TriangleMesh*, std::vector<Entry>> entries_;
+  std::map<std::pair<const PlacedBody*, const PlacedBody*>, MeasuredPtr> pairs_;
+  std::map<HookKey, HookPtr> hooks_;
+  std::map<std::pair<const PlacedBody*, const PlacedBody*>, MeshPtr> hollows_;
+  std::map<std::pair<const PlacedBody*, const PlacedBody*>, CutShape> cuts_;
+};
+
+}  // namespace glissade::check

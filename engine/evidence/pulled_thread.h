@@ -1,0 +1,72 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/base/message.h"
+#include "engine/evidence/named_screw.h"
+#include "engine/evidence/placed_body.h"
+
+namespace glissade::check {
+
+/// An assembled pair of bodies, one of which leaves the other.
+struct LeavingPair {
+  const PlacedBody& moving;
+  const PlacedBody& other;
+  double overlap = 0.0;                   ///< metres, as deep as the one is in the other
+  bool isCalledThread = false;            ///< by the file: also where both cylinders are equally wide
+  const ScrewInSolid* inSolid = nullptr;  ///< one is a screw that makes its hole in the other one; null: none is
+  /// Diameters of threads that the names of screws state (screwSizeIn()), metres; nothing where a name states none.
+  std::optional<double> sizeOfMoving{};
+  std::optional<double> sizeOfOther{};
+};
+
+/// Two cylinders that are around each other where the product is assembled: about one axis, or about two beside each
+/// other with all of the hole's wall in the shaft. The crests of a modelled thread stand for a cylinder. World frame.
+struct CommonThread {
+  Vector3 point;
+  Vector3 axis;
+  double depth;   ///< excess of the shaft over the hole, metres
+  double radius;  ///< radius of the shaft
+  double low;     ///< range of the moving body's cylinder, along the axis from `point`
+  double high;
+  double lowOther;
+  double highOther;
+  bool movingIsShaft;
+  double pitch = 0.0;  ///< metres a turn, of a helix that is modelled; below 0: left-handed; 0: none is
+};
+
+/// Limits in radii of the shaft. A shaft that exceeds its hole by more than the first is neither pressed nor slid in.
+/// Threads are deeper: those of ISO 261 by 0.06 radii or more, and none by 0.3. The bodies overlap by at least half of
+/// that depth, or one cylinder is around the material of the other body.
+inline constexpr double kLeastThreadDepth = 0.05;
+inline constexpr double kMostThreadDepth = 0.3;
+
+/// The threads that the pair has in common, which come apart by turning: a shaft of the one in a hole of the other,
+/// with all of the hole's wall in the shaft; crests of a modelled helix that go into the wall of the other one; and
+/// crests that are rings, where a name says that the body is a screw of this size. The one definition of what may not
+/// be pulled: planners ask for it while they make a motion, and the judge when it judges one.
+std::vector<CommonThread> commonThreads(const LeavingPair& pair);
+
+/// Describes how much of the threads a motion pulls instead of turning the body off, for people; empty: nothing. While
+/// the two cylinders are engaged, the body turns about the axis and advances by the same pitch in each turn. The last
+/// pitch may be pulled, because a thread ends in its run-out. `path`: of the moving body, from its assembled pose.
+Message pulledThread(const std::vector<CommonThread>& threads, const std::vector<Pose>& path);
+
+/// True if an assembled shaft of one body is thicker than the hole of the other that contains it, by an excess that can
+/// be pressed in.
+bool isPressedIn(const PlacedBody& one, const PlacedBody& other);
+
+/// A thread in which a motion turns.
+struct TurnedThread {
+  double pitch = 0.0;     ///< metres a turn of the motion; below 0: left-handed
+  double diameter = 0.0;  ///< of the shaft, metres
+  double modelled = 0.0;  ///< as CommonThread::pitch
+};
+std::vector<TurnedThread> turnedThreads(const std::vector<CommonThread>& threads, const std::vector<Pose>& path);
+
+/// Largest excess, metres, of a shaft of one body over a hole of the other that contains it, if it can be a thread or a
+/// press fit; else 0.
+double roundOverlap(const PlacedBody& one, const PlacedBody& other);
+
+}  // namespace glissade::check

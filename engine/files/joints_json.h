@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/base/json_reader.h"
+#include "engine/fits/assembled_product.h"
+#include "engine/fits/joint.h"
+
+namespace glissade {
+
+/// The section "joints" of a scenario file: a person's statements about joints. Reading throws JsonError; bodies and
+/// joints are checked when joints are found.
+std::vector<JointEdit> readJointEdits(const JsonCursor& at);
+/// Adds "joints" if it is not empty.
+void addJointEdits(const std::vector<JointEdit>& edits, JsonCursor::Json& json);
+
+/// A joint for reports, with the ids of its bodies: resources/schema/joints-1.schema.json.
+JsonCursor::Json toJson(const Joint& joint, const AssembledProduct& product);
+
+}  // namespace glissade

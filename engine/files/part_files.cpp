@@ -1,0 +1,329 @@
+#include "engine/files/part_files.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include "engine/base/file.h"
+#include "engine/base/limits.h"
+#include "engine/base/printable_text.h"
+#include "engine/files/object_geometry.h"
+#include "engine/files/part_adder.h"
+#include "engine/files/scenario_bodies.h"
+#include "engine/import/asset_path.h"
+#include "engine/import/geometry_loader.h"
+#include "engine/import/mesh_import.h"
+#include "engine/import/part_solids.h"
+#include "engine/import/step_import.h"
+#include "engine/import/step_parts.h"
+
+namespace glissade {
+namespace {
+namespace fs = std::filesystem;
+
+/// A node of a part file that a body uses.
+struct Claim {
+  std::string path;
+  std::string node;
+};
+
+std::vector<Claim> claimsOf(const Scenario& scenario, const std::string& scenarioFile) {
+  std::vector<Claim> claims;
+  const auto add = [&](const Geometry& geometry) {
+    const auto* step = std::get_if<StepGeometry>(&geometry);
+    const auto* mesh = std::get_if<MeshGeometry>(&geometry);
+    if (step == nullptr && (mesh == nullptr || !mesh->groups)) return;
+    for (const Asset& asset : scenario.assets) {
+      if (asset.id != *assetOf(geometry)) continue;
+      claims.push_back({assetFile(asset, folderOf(scenarioFile)), step != nullptr ? step->part : mesh->part});
+    }
+  };
+  for (const BodyDescription* body : allBodiesOf(scenario)) add(body->geometry);
+  return claims;
+}
+
+bool isSameFile(const std::string& a, const std::string& b) {
+  std::error_code noneThere;
+  return a == b || fs::equivalent(a, b, noneThere);
+}
+
+/// The entry, or somebody who says more exactly which part is meant.
+bool isTaken(const std::string& name, const PartFile& by, const std::vector<Claim>& claims) {
+  return std::any_of(claims.begin(), claims.end(), [&](const Claim& claim) {
+    return claim.node.size() > by.part.size() && isWithin(name, claim.node) && isSameFile(claim.path, by.path);
+  });
+}
+
+/// A part of several solids of which one is named is taken as its solids.
+bool isOpen(const std::string& part, const PartFile& by, const std::vector<Claim>& claims) {
+  return std::any_of(claims.begin(), claims.end(), [&](const Claim& claim) {
+    return claim.node.size() > part.size() && isWithin(claim.node, part) && isSameFile(claim.path, by.path);
+  });
+}
+
+/// The names of the steps of a node, as in Occurrence::names.
+std::vector<NodeNames> namesAt(const std::string& node, const std::vector<Occurrence>& places) {
+  const auto below =
+      std::find_if(places.begin(), places.end(), [&](const Occurrence& place) { return isWithin(place.path, node); });
+  if (below == places.end() || below->names.empty()) return {};
+  return {below->names.begin(), below->names.begin() + static_cast<std::ptrdiff_t>(stepsOf(node).size())};
+}
+
+/// One entry for each part of the file that lies within the one that is named.
+std::vector<PartFile> entriesOf(const PartFile& named, const std::vector<Occurrence>& places,
+                                const std::vector<Claim>& claims) {
+  std::vector<PartFile> entries;
+  for (const Occurrence& place : places) {
+    const std::string whole = partPathOf(place);
+    PartFile entry = named;
+    entry.asOne = place.isSolidOfPart && !isOpen(whole, named, claims);
+    entry.part = entry.asOne ? whole : place.path;
+    const bool isKnown = entry.asOne && !entries.empty() && entries.back().part == whole;
+    if (isKnown || !isWithin(entry.part, named.part) || isTaken(entry.part, named, claims)) continue;
+    entry.names = namesAt(entry.part, places);
+    entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+/// Whether the file is several parts.
+bool hasSeveral(const PartFile& named, const std::vector<Occurrence>& places, const std::vector<Claim>& claims) {
+  return std::any_of(places.begin(), places.end(), [&](const Occurrence& place) {
+    const std::string whole = partPathOf(place);
+    return whole != partPathOf(places.front()) || (place.isSolidOfPart && isOpen(whole, named, claims));
+  });
+}
+
+/// The parts with every STEP file that holds several, and does not move, as one entry a part. A part that is
+/// named, or lies in an assembly that is named, by another entry or by the scenario is that one's. Names that
+/// are short get their full form.
+///
+/// `scenarioFile` is where the scenario is saved, or empty; `read` takes what is read. Errors are those of the
+/// importer, and that there is no part of a name.
+Result<std::vector<PartFile>> oneEntryEach(const std::vector<PartFile>& parts, const Scenario& scenario,
+                                           const std::string& scenarioFile, GeometryCache& read,
+                                           const StopToken& stop) {
+  std::vector<PartFile> named = parts;
+  std::vector<std::vector<Occurrence>> places(parts.size());
+  std::vector<Claim> claims = claimsOf(scenario, scenarioFile);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (!isCadFile(parts[i].path) && !parts[i].groups) continue;
+    PartFile whole = parts[i];
+    whole.part.clear();
+    whole.asOne = false;
+    const auto geometry = readPart(whole, read, stop);
+    if (!geometry) return geometry.error();
+    places[i] = (*geometry)->parts;
+    auto node = nodeNamed(parts[i].part, treeOf(**geometry), parts[i].path);
+    if (!node) return node.error();
+    named[i].part = *node;
+    named[i].names = namesAt(*node, places[i]);
+    named[i].asOne = std::any_of(places[i].begin(), places[i].end(), [&](const Occurrence& place) {
+      return place.isSolidOfPart && isWithin(partPathOf(place), *node);
+    });
+    claims.push_back({parts[i].path, *node});
+  }
+  std::vector<PartFile> entries;
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    if (named[i].role == PartRole::Moves || !hasSeveral(named[i], places[i], claims)) {
+      entries.push_back(named[i]);
+      continue;
+    }
+    for (PartFile& entry : entriesOf(named[i], places[i], claims)) entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+namespace fs = std::filesystem;
+
+Diagnostic usage(const std::string& file, const Message& reason, const Message& advice) {
+  return {ErrorKind::Usage, file, "", reason, advice};
+}
+
+bool moves(const PartFile& part) { return part.role == PartRole::Moves; }
+
+Outcome checkParts(const std::vector<PartFile>& parts) {
+  if (parts.empty()) return usage("", GLISSADE_TEXT("there is no part"), GLISSADE_TEXT("Give the files of the parts."));
+  for (const PartFile& part : parts) {
+    if (limits::isSize(part.unit)) continue;
+    return usage(part.path, GLISSADE_TEXT("has a unit that is not from 1e-12 m to 1e9 m"),
+                 GLISSADE_TEXT("Give the metres in a unit of the file."));
+  }
+  return Done{};
+}
+
+/// Splits "product.step:pump/rotor", a part of a STEP file, or "product.obj:rotor", a group, unless a file has that
+/// name.
+std::pair<std::string, std::string> splitPartName(const std::string& text) {
+  std::error_code noneThere;
+  for (std::size_t at = text.find(':'); at != std::string::npos; at = text.find(':', at + 1)) {
+    const std::string file = text.substr(0, at);
+    if ((isCadFile(file) || mayHaveGroups(file)) && !fs::exists(text, noneThere)) return {file, text.substr(at + 1)};
+  }
+  return {text, ""};
+}
+
+void takeRead(GeometryLoader& loader, GeometryCache& read) {
+  read.insert(loader.files().begin(), loader.files().end());
+  read.merge(loader.loaded());
+}
+
+/// Bounding box of the bodies from index `first` on.
+Result<Box3> boxOfBodies(GeometryLoader& loader, const Scenario& scenario, std::size_t first) {
+  Box3 box;
+  for (std::size_t i = first; i < scenario.bodies.size(); ++i) {
+    const auto geometry = loader.load(scenario.bodies[i].geometry);
+    if (!geometry) return geometry.error();
+    box.extend(boxOf(**geometry));
+  }
+  return box;
+}
+
+}  // namespace
+
+bool mayHaveGroups(const std::string& path) { return endingOf(path) == "obj"; }
+
+bool isUrdfFile(const std::string& path) { return endingOf(path) == "urdf"; }
+
+bool saysItsUnit(const std::string& path) { return isUrdfFile(path) || isCadFile(path); }
+
+bool saysNoUnit(const std::string& path) {
+  const std::string ending = endingOf(path);
+  return ending == "stl" || ending == "obj" || ending == "ply";
+}
+
+bool isPartFile(const std::string& path) { return saysItsUnit(path) || isMeshFile(path); }
+
+PartFile usualPart(const std::string& text) {
+  const auto [path, part] = splitPartName(text);
+  const std::string ending = endingOf(path);
+  PartFile usual{path, PartRole::Static, 0.001, UpAxis::Z, part};
+  if (saysItsUnit(path)) usual.unit = 1.0;
+  usual.groups = mayHaveGroups(path) && !part.empty();
+  usual.asOne = isCadFile(path);
+  if (ending == "dae" || ending == "gltf" || ending == "glb") {
+    usual.unit = 1.0;
+    usual.up = UpAxis::Y;
+  }
+  return usual;
+}
+
+Result<LoadedGeometryPtr> readPart(const PartFile& part, GeometryCache& read, const StopToken& stop,
+                                   Warnings* warnings) {
+  Scenario scenario;
+  PartAdder(scenario, "").addBody(part);
+  GeometryLoader loader(scenario.assets, ".", part.path, &read, stop);
+  auto geometry = loader.load(scenario.bodies.front().geometry);
+  if (geometry) takeRead(loader, read);
+  if (warnings != nullptr) warnings->insert(warnings->end(), loader.warnings().begin(), loader.warnings().end());
+  return geometry;
+}
+
+void readSmallFiles(const std::vector<std::string>& paths, GeometryCache& read, const StopToken& stop) {
+  std::vector<Asset> assets;
+  std::vector<Geometry> meshes;
+  for (const std::string& path : paths) {
+    if (!isMeshFile(path)) continue;
+    assets.push_back({path, fs::absolute(path).lexically_normal().generic_string(), ""});
+    meshes.emplace_back(MeshGeometry{path});
+  }
+  std::vector<const Geometry*> expected;
+  for (const Geometry& mesh : meshes) expected.push_back(&mesh);
+  GeometryLoader loader(assets, ".", "", &read, stop);
+  loader.expect(expected);
+  takeRead(loader, read);
+}
+
+Result<std::vector<MeasuredPart>> partsInFile(const std::string& path, GeometryCache& read, const StopToken& stop,
+                                              bool apart) {
+  PartFile whole{path, PartRole::Static, 1.0, UpAxis::Z};
+  whole.groups = apart && mayHaveGroups(path);
+  whole.asOne = !apart && isCadFile(path);
+  const auto geometry = readPart(whole, read, stop);
+  if (!geometry) return geometry.error();
+  if (!isCadFile(path) && !whole.groups) return std::vector<MeasuredPart>{{"", boxOf(**geometry)}};
+  std::vector<MeasuredPart> parts;
+  for (const Occurrence& part : (*geometry)->parts) parts.push_back({part.path, boundingBox(*part.mesh, part.X_FP)});
+  return parts;
+}
+
+Box3 roomAbout(const Box3& box, double radius) {
+  const Vector3 margin = Vector3::Constant(2.0 * radius);
+  return {box.min() - margin, box.max() + margin};
+}
+
+Box3 boxOfPart(const PartFile& part, const Box3& inFile) {
+  TriangleMesh corners;
+  corners.vertices = {inFile.min(), inFile.max()};
+  return boundingBox(interpreted(corners, part.unit, part.up));
+}
+
+Result<Scenario> scenarioOfParts(const std::vector<PartFile>& files, GeometryCache* read, const StopToken& stop) {
+  if (const Outcome sound = checkParts(files); !sound) return sound.error();
+  GeometryCache known = read != nullptr ? *read : GeometryCache();
+  const auto entries = oneEntryEach(files, Scenario(), "", known, stop);
+  if (!entries) return entries.error();
+  const std::vector<PartFile>& parts = *entries;
+  if (std::none_of(parts.begin(), parts.end(), moves)) {
+    return usage("", GLISSADE_TEXT("no part moves"), GLISSADE_TEXT("Choose the part that moves."));
+  }
+  Scenario scenario;
+  PartAdder adder(scenario, "");
+  for (const PartFile& part : parts) {
+    if (moves(part)) adder.addToObject(part);
+  }
+  for (const PartFile& part : parts) {
+    if (!moves(part)) adder.addBody(part);
+  }
+  GeometryLoader loader(scenario.assets, ".", "", &known, stop);
+  loader.expect(geometriesOf(scenario));
+  ObjectDescription& object = scenario.object;
+  const auto geometry = loadGeometryOf(object, loader);
+  if (!geometry) return geometry.error();
+  const auto bodies = boxOfBodies(loader, scenario, 0);
+  if (!bodies) return bodies.error();
+  loader.noteHashes(scenario.assets);
+  if (read != nullptr) takeRead(loader, *read);
+  if (scenario.assets.size() == 1) scenario.name = printableLine(fs::path(files.front().path).stem().string());
+  chooseReferencePoint(object, *geometry);
+  scenario.start = Pose::translation(referencePointOf(object, *geometry));
+  scenario.goal = GoalOut{};
+  scenario.workspace =
+      roomAbout(bodies->merged(boxOf(object, *geometry)), radiusAboutOrigin(objectMesh(object, *geometry)));
+  scenario.planner = "auto";
+  scenario.fits.on = true;
+  return scenario;
+}
+
+Result<Scenario> withParts(Scenario scenario, const std::string& scenarioFile, const std::vector<PartFile>& files,
+                           GeometryCache* read, const StopToken& stop) {
+  if (const Outcome sound = checkParts(files); !sound) return sound.error();
+  if (const auto moving = std::find_if(files.begin(), files.end(), moves); moving != files.end()) {
+    return usage(moving->path, GLISSADE_TEXT("cannot be what moves: the scenario has its object"),
+                 GLISSADE_TEXT("Make it static or mobile."));
+  }
+  GeometryCache known = read != nullptr ? *read : GeometryCache();
+  const auto parts = oneEntryEach(files, scenario, scenarioFile, known, stop);
+  if (!parts) return parts.error();
+  if (parts->empty()) {
+    return usage(files.front().path, GLISSADE_TEXT("has no part that the scenario does not have"),
+                 GLISSADE_TEXT("Name the part to have it twice."));
+  }
+  const std::size_t before = scenario.bodies.size();
+  PartAdder adder(scenario, scenarioFile);
+  for (const PartFile& part : *parts) adder.addBody(part);
+  GeometryLoader loader(scenario.assets, folderOf(scenarioFile), scenarioFile, &known, stop);
+  loader.expect(geometriesOf(scenario));
+  const auto added = boxOfBodies(loader, scenario, before);
+  if (!added) return added.error();
+  const auto geometry = loadGeometryOf(scenario.object, loader);
+  if (!geometry) return geometry.error();
+  loader.noteHashes(scenario.assets);
+  if (read != nullptr) takeRead(loader, *read);
+  if (!std::holds_alternative<GoalOut>(scenario.goal)) return scenario;
+  scenario.workspace.extend(roomAbout(*added, radiusAboutOrigin(objectMesh(scenario.object, *geometry))));
+  return scenario;
+}
+
+}  // namespace glissade

@@ -1,0 +1,169 @@
+#include "engine/files/product_file.h"
+
+#include <algorithm>
+#include <functional>
+
+#include "engine/files/part_files.h"
+#include "engine/files/scenario_fits.h"
+#include "engine/files/scenario_io.h"
+#include "engine/files/sequence_knowledge.h"
+#include "engine/files/unit_guess.h"
+#include "engine/import/geometry_loader.h"
+#include "engine/model/body_choice.h"
+
+namespace glissade {
+namespace {
+
+Result<ProductFile> productOfParts(const std::string& file, const StopToken& stop, double deflection,
+                                   const PartChoice& choice) {
+  GeometryCache read;
+  PartFile part = usualPart(file);
+  part.deflection = deflection;
+  part.asOne = false;
+  ProductFile loaded;
+  std::vector<PartFile> guessed{part};
+  const auto guesses = guessUnits(guessed, read, stop);
+  if (!guesses) return guesses.error();
+  loaded.warnings = *guesses;
+  const auto geometry = readPart(guessed.front(), read, stop, &loaded.warnings);
+  if (!geometry) return geometry.error();
+  warnOfMissingFaces(**geometry, "", file, loaded.warnings);
+  loaded.missing = (*geometry)->missing;
+  const auto parts = chosenParts((*geometry)->parts, lastStepOf(file), choice);
+  if (!parts) return parts.error();
+  loaded.canOpen = parts->size() < (*geometry)->parts.size();
+  std::vector<ProductBody> bodies;
+  for (const Occurrence& solid : *parts) {
+    const std::string name = solid.path.empty() ? file : solid.path;
+    bodies.push_back({name, {solid.path.empty() ? lastStepOf(file) : solid.path, solid.names, solid.unit}});
+    loaded.product.bodies.push_back({name, name, Mobility::Mobile, solid.mesh, solid.X_FP});
+    if (solid.colour) loaded.product.bodies.back().colour = *solid.colour;
+    loaded.product.deflections.push_back(solid.deflection);
+    loaded.product.spacings.push_back(solid.coordinateSpacing);
+  }
+  loaded.product.tree = Product(bodies);
+  labelBodies(loaded.product.bodies, loaded.product.tree);
+  loaded.product.fits.on = true;
+  return loaded;
+}
+
+Result<ProductFile> productOfScenario(const std::string& file, const StopToken& stop) {
+  auto scenario = loadScenario(file, stop);
+  if (!scenario) return scenario.error();
+  ProductFile loaded;
+  loaded.product = bodiesOf(*scenario);
+  auto demands = knownDemands(scenario->scenario, loaded.product);
+  if (!demands) {
+    Diagnostic why = demands.error();
+    why.file = file;
+    return why;
+  }
+  loaded.demands = std::move(*demands);
+  loaded.joints = scenario->scenario.joints;
+  loaded.classes = classesOf(semanticEditsOf(scenario->scenario), loaded.product.bodies);
+  loaded.missing = scenario->missing;
+  loaded.forbidsPlaces = forbidsPlaces(semanticEditsOf(scenario->scenario));
+  loaded.warnings = std::move(scenario->warnings);
+  return loaded;
+}
+
+/// The sum of the two largest values.
+double largestTwo(std::vector<double> values) {
+  values.resize(std::max<std::size_t>(values.size(), 2), 0.0);
+  std::partial_sort(values.begin(), values.begin() + 2, values.end(), std::greater<>());
+  return values[0] + values[1];
+}
+
+}  // namespace
+
+AssembledProduct productOf(const LoadedScenario& scenario) {
+  AssembledProduct product = bodiesOf(scenario);
+  product.bodies = aboutTheirMiddles(std::move(product.bodies));
+  return product;
+}
+
+Result<ProductFile> readProduct(const std::string& file, const StopToken& stop, double deflection,
+                                const PartChoice& choice) {
+  const bool isPart = isPartFile(usualPart(file).path);
+  if (!isPart && deflection > 0.0) {
+    return Diagnostic{ErrorKind::Usage, file, "",
+                      GLISSADE_TEXT("is a scenario, which states the deflection of each of its assets"),
+                      GLISSADE_TEXT("Change \"deflection\" of the asset there, or give the part file.")};
+  }
+  if (!isPart && !choice.open.empty()) {
+    return Diagnostic{
+        ErrorKind::Usage, file, "--open", GLISSADE_TEXT("is a scenario, which says itself which bodies it has"),
+        GLISSADE_TEXT(
+            "Name the solids when it is made: glissade-cli new OUT.json --static FILE:PART/SOLID --static FILE.")};
+  }
+  auto loaded = isPart ? productOfParts(file, stop, deflection, choice) : productOfScenario(file, stop);
+  if (loaded) loaded->deviation = largestTwo(loaded->product.deflections);
+  return loaded;
+}
+
+Diagnostic isLeftOut(const std::string& name) {
+  return {ErrorKind::MalformedInput,
+          "",
+          {GLISSADE_TEXT("'%1'"), {name}},
+          GLISSADE_TEXT("is left out"),
+          GLISSADE_TEXT("Proofs are about the product without it.")};
+}
+
+Outcome leaveOut(const std::vector<std::string>& names, ProductFile& loaded) {
+  if (names.empty()) return Done{};
+  AssembledProduct& product = loaded.product;
+  std::vector<std::string> ids;
+  for (const RigidBody& body : product.bodies) ids.push_back(body.id);
+  const auto meant = bodiesMeant(ids, names, "--without", product.tree);
+  if (!meant) return meant.error();
+  AssembledProduct rest;
+  std::vector<std::string> classes;
+  rest.fits = product.fits;
+  rest.tree = product.tree;
+  const auto goes = [&](const std::string& id) {
+    const auto index = product.indexOf(id);
+    return index && (*meant)[*index];
+  };
+  std::erase_if(rest.fits.pairs, [&](const FitEdit& edit) { return goes(edit.a) || goes(edit.b); });
+  std::erase_if(loaded.joints, [&](const JointEdit& edit) {
+    return goes(edit.key.body) || std::any_of(edit.key.others.begin(), edit.key.others.end(), goes);
+  });
+  for (JointEdit& edit : loaded.joints) std::erase_if(edit.clamped, goes);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if ((*meant)[i]) {
+      loaded.warnings.push_back(isLeftOut(product.bodies[i].shown()));
+      continue;
+    }
+    rest.bodies.push_back(product.bodies[i]);
+    rest.deflections.push_back(product.deflections[i]);
+    if (!product.spacings.empty()) rest.spacings.push_back(product.spacings[i]);
+    if (!loaded.classes.empty()) classes.push_back(loaded.classes[i]);
+  }
+  labelBodies(rest.bodies, rest.tree);
+  product = std::move(rest);
+  loaded.classes = std::move(classes);
+  return Done{};
+}
+
+Result<ProductFile> loadProduct(const std::string& file, const StopToken& stop, double deflection,
+                                const PartChoice& choice) {
+  auto loaded = readProduct(file, stop, deflection, choice);
+  if (!loaded) return loaded;
+  if (loaded->product.bodies.size() < 2 && loaded->canOpen) {
+    return Diagnostic{
+        ErrorKind::MalformedInput,
+        file,
+        "",
+        GLISSADE_TEXT("holds one part of several solids: there is nothing to take apart"),
+        {GLISSADE_TEXT("Give a product of several parts, or take it as its solids: --open %1."), {lastStepOf(file)}}};
+  }
+  if (loaded->product.bodies.size() < 2) {
+    return Diagnostic{ErrorKind::MalformedInput, file, "",
+                      GLISSADE_TEXT("holds one body: there is nothing to take apart"),
+                      GLISSADE_TEXT("Give a product of several parts.")};
+  }
+  loaded->product.bodies = aboutTheirMiddles(std::move(loaded->product.bodies));
+  return loaded;
+}
+
+}  // namespace glissade

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "engine/fits/fit_settings.h"
+
+namespace glissade {
+
+/// The statement of a person about this pair of bodies, by id in either order; adds an entry if there is none.
+FitEdit& editOf(const std::string& a, const std::string& b, FitSettings& settings);
+
+}  // namespace glissade

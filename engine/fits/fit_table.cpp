@@ -1,0 +1,158 @@
+#include "engine/fits/fit_table.h"
+
+#include <algorithm>
+#include <mutex>
+#include <tuple>
+
+#include "engine/fits/giving_way.h"
+
+namespace glissade {
+namespace {
+
+PairWay wayOf(const ObjectFits& object, std::size_t obstacle) {
+  PairWay way;
+  for (const Fit& fit : object.allowed) {
+    if (fit.obstacle == obstacle) way.taken.push_back(fit);
+  }
+  for (const Fit& clash : object.clashes) {
+    if (clash.obstacle == obstacle) way.refused = clash.refused;
+  }
+  return way;
+}
+
+const Diagnostic* warningOf(const ObjectFits& object, std::size_t obstacle) {
+  for (std::size_t i = 0; i < object.clashes.size(); ++i) {
+    if (object.clashes[i].obstacle == obstacle) return &object.warnings[i];
+  }
+  return nullptr;
+}
+
+/// Reports the finished share of a number of parts of work. Thread-safe.
+class PartCount {
+ public:
+  PartCount(WorkWatch watch, std::size_t parts) : watch_(std::move(watch)), parts_(parts) {}
+
+  void add() {
+    const std::lock_guard lock(mutex_);
+    watch_.report(static_cast<double>(++done_) / static_cast<double>(parts_));
+  }
+
+ private:
+  WorkWatch watch_;
+  std::size_t parts_;
+  std::mutex mutex_;
+  std::size_t done_ = 0;
+};
+
+}  // namespace
+
+double PairWay::allowance() const {
+  double most = 0.0;
+  for (const Fit& fit : taken) most = std::max(most, fit.allowance);
+  return most;
+}
+
+FitStatus PairFit::status() const {
+  if (!way().refused.empty()) return FitStatus::Clash;
+  if (contact.kind == ContactKind::Clearance) return FitStatus::Clear;
+  return contact.kind == ContactKind::Clash ? FitStatus::Accepted : FitStatus::Allowed;
+}
+
+std::vector<std::string> PairFit::thinner() const {
+  std::vector<std::string> ids;
+  for (const Fit& fit : way().taken) {
+    if (fit.thinned) ids.push_back(fit.yields == givesWayFirstIsA ? b : a);
+  }
+  return ids;
+}
+
+Result<FitTable> FitTable::find(const AssembledProduct& product, ThreadTeam& team, const WorkWatch& watch,
+                                const ContactLimits& limits) {
+  constexpr double kContactsShare = 0.5;  // share of the work
+  FitTable table;
+  const StopToken& stop = watch.stop;
+  const WorkWatch forContacts = watch.part(0.0, kContactsShare);
+  const std::vector<Contact> contacts = findContacts(contactBodiesOf(product), limits, forContacts).contacts;
+  table.prepared_ = std::make_shared<PreparedBodies>(product.bodies);
+  FitTools tools;
+  tools.prepared = table.prepared_;
+  std::vector<Result<ObjectFits>> objects(product.bodies.size(), ObjectFits());
+  PartCount done(watch.part(kContactsShare, 1.0), objects.size());
+  team.run(objects.size(), [&](std::size_t body) {
+    if (!stop.stopRequested()) {
+      objects[body] = findObjectFits({product, body, {}, &contacts, limits, nullptr, &tools}, stop);
+      done.add();
+    }
+  });
+  if (stop.stopRequested()) {
+    return Diagnostic{ErrorKind::Interrupted, "", "", GLISSADE_TEXT("was stopped while fits were searched"),
+                      GLISSADE_TEXT("Start again.")};
+  }
+  for (Result<ObjectFits>& object : objects) {
+    if (!object) return object.error();
+    table.objects_.push_back(std::move(*object));
+  }
+  table.addPairs(product);
+  return table;
+}
+
+void FitTable::addPairs(const AssembledProduct& product) {
+  for (std::size_t body = 0; body < objects_.size(); ++body) {
+    for (const Contact& contact : objects_[body].contacts) {
+      if (contact.a > contact.b) continue;
+      const RigidBody& a = product.bodies[contact.a];
+      const RigidBody& b = product.bodies[contact.b];
+      pairs_.push_back({a.id,
+                        b.id,
+                        {a.shown(), b.shown()},
+                        contact,
+                        {wayOf(objects_[contact.a], contact.b), wayOf(objects_[contact.b], contact.a)},
+                        givesWayFirst(a, b)});
+    }
+  }
+  std::sort(pairs_.begin(), pairs_.end(), [](const PairFit& one, const PairFit& other) {
+    return std::tie(one.contact.a, one.contact.b) < std::tie(other.contact.a, other.contact.b);
+  });
+  for (const PairFit& pair : pairs_) {
+    const Diagnostic* ofA = warningOf(objects_[pair.contact.a], pair.contact.b);
+    const Diagnostic* ofB = warningOf(objects_[pair.contact.b], pair.contact.a);
+    if (const Diagnostic* warning = ofA != nullptr ? ofA : ofB) warnings_.push_back(*warning);
+  }
+  const Warnings overlaps = warningsOfPlainOverlaps(pairs_);
+  warnings_.insert(warnings_.end(), overlaps.begin(), overlaps.end());
+}
+
+Warnings warningsOfPlainOverlaps(const std::vector<PairFit>& fits) {
+  constexpr std::size_t kListed = 8;
+  Warnings warnings;
+  std::size_t more = 0;
+  for (const PairFit& fit : fits) {
+    if (!fit.contact.isPlainOverlap) continue;
+    if (warnings.size() == kListed) {
+      ++more;
+      continue;
+    }
+    warnings.push_back(
+        {ErrorKind::InCollision,
+         "",
+         {GLISSADE_TEXT("'%1' and '%2'"), {fit.shown[0], fit.shown[1]}},
+         {GLISSADE_TEXT("overlap by %1 without being a fit, a thread or a press"), {Depth{fit.contact.overlap}}},
+         GLISSADE_TEXT("Mend the parts, or say what kind of fit they are.")});
+  }
+  if (more > 0) {
+    warnings.push_back({ErrorKind::InCollision,
+                        "",
+                        "",
+                        {GLISSADE_TEXT("%1 more {1|pair overlaps|pairs overlap} in the same way"), {more}},
+                        GLISSADE_TEXT("See 'glissade-cli fits' for all of them.")});
+  }
+  return warnings;
+}
+
+std::map<std::string, int> countsByKind(const std::vector<PairFit>& fits) {
+  std::map<std::string, int> counts;
+  for (const PairFit& fit : fits) ++counts[kContactKindNames.of(fit.contact.kind)];
+  return counts;
+}
+
+}  // namespace glissade

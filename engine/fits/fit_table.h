@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "engine/base/enum_names.h"
+#include "engine/base/message.h"
+#include "engine/base/thread_team.h"
+#include "engine/fits/object_fits.h"
+
+namespace glissade {
+
+/// The meaning of a pair for planning.
+enum class FitStatus {
+  Clear,     ///< apart, or without allowance
+  Allowed,   ///< one body or both are thinned
+  Accepted,  ///< a clash that a person accepts; it is also allowed
+  Clash      ///< an overlap that blocks every motion of either body
+};
+
+inline constexpr EnumNames<FitStatus, 4> kFitStatusNames{{"clear", "allowed", "accepted", "clash"}};
+
+/// The shapes of a pair while one of its bodies moves past the other.
+struct PairWay {
+  std::vector<Fit> taken{};  ///< the thinned body, or both; none: both are whole
+  Message refused{};         ///< reason why no motion passes; empty: motions pass
+
+  /// The larger allowance of the two bodies, metres; 0 if neither is thinned.
+  double allowance() const;
+};
+
+/// Two bodies of a product that are near each other, with their fit.
+struct PairFit {
+  std::string a;  ///< id of the body with the lower index
+  std::string b;
+  std::array<std::string, 2> shown;  ///< names for people
+  Contact contact;                   ///< with the kind and the overlap that count; indices in the product
+  /// While `a` moves past `b`, and while `b` moves past `a`. The same body is thinned in both, by more if the moving
+  /// body is larger (assembledGap()).
+  std::array<PairWay, 2> ways{};
+  bool givesWayFirstIsA = true;  ///< givesWayFirst()
+
+  /// The fit while the smaller body moves, which is the more frequent case.
+  const PairWay& way() const { return ways[givesWayFirstIsA ? 0 : 1]; }
+  FitStatus status() const;
+  /// Ids of the bodies that are thinned in way().
+  std::vector<std::string> thinner() const;
+};
+
+/// The table of a product's fits that plans, sequences and the window share. Immutable, shared by threads.
+class FitTable {
+ public:
+  /// Compares each pair of bodies once, whether the product's fits are on or not. `watch` gets the finished share, from
+  /// one thread at a time. Errors: see findObjectFits(); Interrupted.
+  static Result<FitTable> find(const AssembledProduct& product, ThreadTeam& team, const WorkWatch& watch,
+                               const ContactLimits& limits = {});
+
+  /// Pairs that touch, overlap or are within the requested clearance, by a, then by b.
+  const std::vector<PairFit>& pairs() const { return pairs_; }
+  /// The fits of each body with others while it moves.
+  const std::vector<ObjectFits>& objects() const { return objects_; }
+  /// Clashes, each once, and plain overlaps.
+  const Warnings& warnings() const { return warnings_; }
+  /// Collision bodies for the product's motions, with the thinned bodies.
+  const std::shared_ptr<PreparedBodies>& prepared() const { return prepared_; }
+
+ private:
+  void addPairs(const AssembledProduct& product);
+
+  std::vector<PairFit> pairs_;
+  std::vector<ObjectFits> objects_;
+  Warnings warnings_;
+  std::shared_ptr<PreparedBodies> prepared_;
+};
+
+/// A warning that lists the first pairs that overlap without being a fit, a thread or a press; none if there is no such
+/// pair.
+Warnings warningsOfPlainOverlaps(const std::vector<PairFit>& fits);
+
+/// The number of pairs of each kind, by the name of the kind.
+std::map<std::string, int> countsByKind(const std::vector<PairFit>& fits);
+
+}  // namespace glissade

@@ -1,0 +1,31 @@
+#include "engine/fits/fit_words.h"
+
+#include <algorithm>
+
+#include "engine/fits/contact_report.h"
+
+namespace glissade {
+
+const FitEdit* editOf(const FitSettings& settings, const std::string& a, const std::string& b) {
+  const auto found = std::find_if(settings.pairs.begin(), settings.pairs.end(), [&](const FitEdit& edit) {
+    return (edit.a == a && edit.b == b) || (edit.a == b && edit.b == a);
+  });
+  return found == settings.pairs.end() ? nullptr : &*found;
+}
+
+check::FitWords wordsOf(const FitSettings& settings) {
+  check::FitWords words{settings.on, settings.acceptedClash, {}};
+  for (const FitEdit& edit : settings.pairs) {
+    check::PairWord word{edit.a, edit.b};
+    if (edit.kind) word.kind = kContactKindNames.of(*edit.kind);
+    word.allowance = edit.allowance;
+    word.accepted = edit.accepted;
+    word.pitch = edit.pitch;
+    word.turned = edit.turned;
+    words.pairs.push_back(std::move(word));
+  }
+  words.cut = settings.cut;
+  return words;
+}
+
+}  // namespace glissade

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/evidence/placed_bodies.h"
+#include "engine/evidence/pulled_thread.h"
+#include "engine/fits/fit.h"
+
+namespace glissade {
+
+struct AssembledProduct;
+
+/// Threads that the judge sees in pairs with the shapes of their fits (check::commonThreads()). Bodies are prepared
+/// once. Used by one thread.
+class JudgedThreads {
+ public:
+  explicit JudgedThreads(const AssembledProduct& product);
+
+  /// Threads that the body leaves by turning only, because the judge refuses a pull. None for a pair without an overlap
+  /// that no fit calls a thread, for a marked thread, if a person states that they come apart otherwise, for a hollow
+  /// pair that would be refused without acceptance, and for meshes without stated faces. `fits`: of the moving body
+  /// with the other body.
+  std::vector<check::CommonThread> of(std::size_t body, std::size_t other, const std::vector<Fit>& fits);
+
+ private:
+  check::Body bodyAt(std::size_t index) const;
+  bool mayBePulled(std::size_t body, std::size_t other, const std::vector<Fit>& fits);
+
+  const AssembledProduct& product_;
+  check::FitWords words_;
+  check::PlacedBodies placed_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,323 @@
+#include "engine/fits/suggested_joints.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string_view>
+
+#include "engine/fits/snap_ways.h"
+
+namespace glissade {
+namespace {
+
+struct HintWord {
+  std::string_view word;
+  JointKind kind;
+};
+
+/// The last word of an English or German name, or its end, says what a thing is.
+constexpr std::array kLastWords{HintWord{"belt", JointKind::Flexible},
+                                HintWord{"cable", JointKind::Flexible},
+                                HintWord{"hose", JointKind::Flexible},
+                                HintWord{"wire", JointKind::Flexible},
+                                HintWord{"wires", JointKind::Flexible},
+                                HintWord{"wiring", JointKind::Flexible},
+                                HintWord{"harness", JointKind::Flexible},
+                                HintWord{"spring", JointKind::Flexible},
+                                HintWord{"seal", JointKind::Flexible},
+                                HintWord{"gasket", JointKind::Flexible},
+                                HintWord{"oring", JointKind::Flexible},
+                                HintWord{"label", JointKind::Flexible},
+                                HintWord{"sticker", JointKind::Flexible},
+                                HintWord{"strap", JointKind::Flexible},
+                                HintWord{"cord", JointKind::Flexible},
+                                HintWord{"riemen", JointKind::Flexible},
+                                HintWord{"kabel", JointKind::Flexible},
+                                HintWord{"schlauch", JointKind::Flexible},
+                                HintWord{"feder", JointKind::Flexible},
+                                HintWord{"dichtung", JointKind::Flexible},
+                                HintWord{"dichtring", JointKind::Flexible},
+                                HintWord{"etikett", JointKind::Flexible},
+                                HintWord{"torique", JointKind::Flexible},
+                                HintWord{"clip", JointKind::Snap},
+                                HintWord{"schnapphaken", JointKind::Snap},
+                                HintWord{"snap", JointKind::Snap},
+                                HintWord{"latch", JointKind::Snap},
+                                HintWord{"weld", JointKind::Permanent},
+                                HintWord{"solder", JointKind::Permanent},
+                                HintWord{"glue", JointKind::Permanent},
+                                HintWord{"adhesive", JointKind::Permanent},
+                                HintWord{"epoxy", JointKind::Permanent},
+                                HintWord{"schweissnaht", JointKind::Permanent}};
+
+/// Last words of rings that are opened.
+constexpr std::array<std::string_view, 3> kRingWords{"circlip", "seegerring", "sicherungsring"};
+
+/// The first word of a French name does.
+constexpr std::array kFirstWords{HintWord{"courroie", JointKind::Flexible}, HintWord{"c\u00e2ble", JointKind::Flexible},
+                                 HintWord{"tuyau", JointKind::Flexible},    HintWord{"ressort", JointKind::Flexible},
+                                 HintWord{"soudure", JointKind::Permanent}, HintWord{"colle", JointKind::Permanent},
+                                 HintWord{"loquet", JointKind::Snap}};
+
+/// Words of purchased assemblies, at any place in a name.
+constexpr std::array<std::string_view, 29> kUnitWords{
+    "motor",     "servo",   "stepper",         "nema",    "bearing",      "lager",
+    "roulement", "moteur",  "gearmotor",       "fan",     "pcb",          "board",
+    "sensor",    "switch",  "relay",           "camera",  "battery",      "display",
+    "actuator",  "arduino", "raspberry",       "encoder", "pump",         "solenoid",
+    "bldc",      "speaker", "microcontroller", "vesc",    "potentiometer"};
+
+/// Words that name no part.
+constexpr std::array<std::string_view, 14> kUnits{"mm",  "cm",   "in",     "od",       "id",      "long",  "wide",
+                                                  "rev", "copy", "mirror", "mirrored", "default", "solid", "body"};
+
+bool endsWith(const std::string& text, std::string_view end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/// German compounds are one word: the end of a word counts from five letters on.
+bool isLastWord(const std::string& word, std::string_view hint) {
+  return word == hint || (hint.size() >= 5 && endsWith(word, hint));
+}
+
+/// A retaining ring or a snap ring. It is opened to come out of its groove, by more than hooks bend.
+bool isRetainingRing(const std::vector<std::string>& words) {
+  if (words.empty()) return false;
+  const auto isLast = [&](std::string_view ring) { return isLastWord(words.back(), ring); };
+  if (std::any_of(kRingWords.begin(), kRingWords.end(), isLast)) return true;
+  if (words.size() < 2 || words.back() != "ring") return false;
+  const std::string& before = words[words.size() - 2];
+  return before == "retaining" || before == "snap" || before == "locking";
+}
+
+std::optional<JointKind> hintOf(const std::vector<std::string>& words) {
+  if (words.empty()) return std::nullopt;
+  if (isRetainingRing(words)) return JointKind::Snap;
+  for (const HintWord& hint : kLastWords) {
+    if (isLastWord(words.back(), hint.word)) return hint.kind;
+  }
+  for (const HintWord& hint : kFirstWords) {
+    if (words.front() == hint.word) return hint.kind;
+  }
+  return std::nullopt;
+}
+
+bool isOneOf(const std::string& word, const std::vector<std::string>& words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// The joint that the words of a class suggest.
+std::optional<JointKind> hintOfClass(const std::string& name) {
+  const std::vector<std::string> words = wordsOfName(name);
+  if (isOneOf("flexible", words)) return JointKind::Flexible;
+  return hintOf(words);
+}
+
+/// Words for parts that hold, cover or accompany a unit.
+constexpr std::array<std::string_view, 20> kNoUnitWords{
+    "mount", "bracket", "holder", "housing", "tube",  "plate", "cover",   "case",     "box",    "block",
+    "cap",   "support", "shaft",  "gear",    "wheel", "frame", "coupler", "coupling", "spacer", "pulley"};
+
+/// Words that follow the name of a part.
+constexpr std::array<std::string_view, 7> kAssemblyWords{"assembly", "subassembly", "assy",    "asm",
+                                                         "asy",      "baugruppe",   "ensemble"};
+
+/// "battery tube assembly" is the name of a tube.
+std::vector<std::string> withoutAssemblyWords(std::vector<std::string> words) {
+  const auto isAssembly = [](const std::string& word) {
+    return std::find(kAssemblyWords.begin(), kAssemblyWords.end(), word) != kAssemblyWords.end();
+  };
+  while (!words.empty() && isAssembly(words.back())) words.pop_back();
+  return words;
+}
+
+bool isUnitName(const std::string& name) {
+  const std::vector<std::string> words = withoutAssemblyWords(wordsOfName(name));
+  if (words.empty() || std::find(kNoUnitWords.begin(), kNoUnitWords.end(), words.back()) != kNoUnitWords.end()) {
+    return false;
+  }
+  return std::any_of(words.begin(), words.end(), [](const std::string& word) {
+    return std::any_of(kUnitWords.begin(), kUnitWords.end(), [&](std::string_view unit) { return word == unit; });
+  });
+}
+
+/// True if every face belongs to one torus: a ring of round section.
+bool isTorus(const TriangleMesh& mesh) {
+  return !mesh.faces.empty() && std::all_of(mesh.faces.begin(), mesh.faces.end(), [](const SurfaceFace& face) {
+    return face.kind == SurfaceFace::Kind::Torus;
+  });
+}
+
+class SuggestedJointFinder {
+ public:
+  SuggestedJointFinder(const ProductShapes& shapes, const std::vector<std::string>& classes, const Joints& found,
+                       const StopToken& stop)
+      : shapes_(shapes),
+        classes_(classes),
+        stop_(stop),
+        isTaken_(shapes.size(), false),
+        isInUnit_(shapes.size(), false) {
+    for (const Joint& joint : found) {
+      isTaken_[joint.body] = true;
+      if (joint.kind != JointKind::Unit) continue;
+      isInUnit_[joint.body] = true;
+      for (const std::size_t other : joint.others) isTaken_[other] = isInUnit_[other] = true;
+    }
+  }
+
+  Joints find() {
+    Joints joints;
+    addUnits(joints);
+    for (std::size_t body = 0; body < shapes_.size() && !stop_.stopRequested(); ++body) {
+      if (!isTaken_[body]) addByBody(body, joints);
+    }
+    std::stable_sort(joints.begin(), joints.end(), [](const Joint& a, const Joint& b) { return a.body < b.body; });
+    return joints;
+  }
+
+ private:
+  /// Adds the outermost assemblies with such a name, except the whole product.
+  void addUnits(Joints& joints) {
+    const Product& tree = shapes_.product().tree;
+    std::map<std::size_t, std::vector<std::size_t>> units;
+    for (std::size_t body = 0; body < shapes_.size(); ++body) {
+      const auto own = tree.find(shapes_.body(body).id);
+      if (!own) continue;
+      const std::vector<std::size_t> above = tree.assembliesAbove(*own);
+      const auto unit = std::find_if(above.begin(), above.end(),
+                                     [&](std::size_t node) { return isUnitName(tree.nodes()[node].names.product); });
+      if (unit != above.end()) units[*unit].push_back(body);
+    }
+    for (const auto& [node, bodies] : units) {
+      const bool isKnown = std::all_of(bodies.begin(), bodies.end(), [&](std::size_t body) { return isInUnit_[body]; });
+      if (bodies.size() < 2 || bodies.size() == shapes_.size() || isKnown) continue;
+      Joint joint;
+      joint.kind = JointKind::Unit;
+      joint.state = JointState::Suggested;
+      joint.body = bodies.front();
+      joint.others.assign(bodies.begin() + 1, bodies.end());
+      joint.point = shapes_.box(joint.body).center();
+      joint.evidence.push_back({GLISSADE_TEXT("the assembly is called '%1'"), {tree.nodes()[node].names.product}});
+      for (const std::size_t body : bodies) isTaken_[body] = true;
+      joints.push_back(std::move(joint));
+    }
+  }
+
+  void addByBody(std::size_t body, Joints& joints) const {
+    Message reason;
+    const auto kind = kindOf(body, &reason);
+    if (!kind) return;
+    Joint joint;
+    joint.kind = *kind;
+    joint.state = JointState::Suggested;
+    joint.body = body;
+    joint.others = touching(body);
+    joint.point = shapes_.box(body).center();
+    joint.evidence = {reason};
+    if (*kind == JointKind::Flexible) {
+      std::erase_if(joint.others, [&](std::size_t other) { return isFlexible(other); });
+    } else if (joint.others.empty()) {
+      return;
+    }
+    if (*kind == JointKind::Snap) {
+      addBend(joint);
+      const bool isRing = isRetainingRing(wordsOfName(shapes_.product().nameInFile(body)));
+      if (!(joint.bend > 0.0) && !isRing && !isSnapByClass(body)) return;
+    }
+    joints.push_back(std::move(joint));
+  }
+
+  bool isSnapByClass(std::size_t body) const {
+    return body < classes_.size() && hintOfClass(classes_[body]) == JointKind::Snap;
+  }
+
+  /// Belts side by side touch. Neither goes around the other one.
+  bool isFlexible(std::size_t body) const {
+    Message reason;
+    return kindOf(body, &reason) == JointKind::Flexible;
+  }
+
+  std::optional<JointKind> kindOf(std::size_t body, Message* reason) const {
+    const RigidBody& rigid = shapes_.body(body);
+    if (body < classes_.size() && !classes_[body].empty()) {
+      *reason = {GLISSADE_TEXT("its class is '%1'"), {classes_[body]}};
+      if (const auto hint = hintOfClass(classes_[body])) return hint;
+    }
+    const std::string& name = shapes_.product().nameInFile(body);
+    *reason = {GLISSADE_TEXT("the name says '%1'"), {name}};
+    if (const auto hint = hintOf(wordsOfName(name))) return hint;
+    *reason = GLISSADE_TEXT("it is a ring of round section");
+    if (isTorus(*rigid.mesh)) return JointKind::Flexible;
+    return std::nullopt;
+  }
+
+  /// Along an axis of the world: the way on which the hooks bend least. Where they would bend by more than hooks do on
+  /// each, away from what it is on, and no bend is suggested: then nothing but the name speaks for a snap.
+  void addBend(Joint& joint) const {
+    const std::vector<SnapWay> ways = snapWays(shapes_.product(), joint.body, joint.others, stop_);
+    const auto least =
+        std::min_element(ways.begin(), ways.end(), [](const SnapWay& a, const SnapWay& b) { return a.bend < b.bend; });
+    joint.direction = least == ways.end() ? wayOut(joint) : least->direction;
+    if (least == ways.end() || !(least->bend > 0.0)) return;
+    joint.bend = least->bend;
+    joint.evidence.push_back(
+        {GLISSADE_TEXT("its hooks bend by %1 when it leaves along a line"), {Length{least->bend}}});
+  }
+
+  /// Direction away from the centre of the bodies that it is on.
+  Vector3 wayOut(const Joint& joint) const {
+    Box3 box;
+    for (const std::size_t other : joint.others) box.extend(shapes_.box(other));
+    const Vector3 way = shapes_.box(joint.body).center() - box.center();
+    Eigen::Index axis = 0;
+    if (!(way.cwiseAbs().maxCoeff(&axis) > 0.0)) return Vector3::UnitZ();
+    return std::copysign(1.0, way[axis]) * Vector3::Unit(axis);
+  }
+
+  /// Bodies in contact, within the tolerance of tessellation.
+  std::vector<std::size_t> touching(std::size_t body) const {
+    std::vector<std::size_t> found;
+    for (std::size_t other = 0; other < shapes_.size() && !stop_.stopRequested(); ++other) {
+      if (other != body && shapes_.apart(body, other, kTouchReach) <= kTouchReach) found.push_back(other);
+    }
+    return found;
+  }
+
+  static constexpr double kTouchReach = 5e-5;
+
+  const ProductShapes& shapes_;
+  const std::vector<std::string>& classes_;
+  const StopToken& stop_;
+  std::vector<bool> isTaken_;
+  std::vector<bool> isInUnit_;  ///< for each body, whether it is in a recognised bearing
+};
+
+}  // namespace
+
+std::vector<std::string> wordsOfName(const std::string& name) {
+  std::vector<std::string> words(1);
+  bool wasLower = false;
+  for (const char c : name) {
+    const auto u = static_cast<unsigned char>(c);
+    const bool isLetter = std::isalpha(u) != 0 || u >= 0x80U;
+    const bool isUpper = std::isupper(u) != 0;
+    if ((!isLetter || (isUpper && wasLower)) && !words.back().empty()) words.emplace_back();
+    if (isLetter) words.back() += static_cast<char>(std::tolower(u));
+    wasLower = std::islower(u) != 0;
+  }
+  const auto isNothing = [](const std::string& word) {
+    return word.size() < 2 || std::find(kUnits.begin(), kUnits.end(), word) != kUnits.end();
+  };
+  words.erase(std::remove_if(words.begin(), words.end(), isNothing), words.end());
+  return words;
+}
+
+Joints findSuggestedJoints(const ProductShapes& shapes, const std::vector<std::string>& classes, const Joints& found,
+                           const StopToken& stop) {
+  return SuggestedJointFinder(shapes, classes, found, stop).find();
+}
+
+}  // namespace glissade

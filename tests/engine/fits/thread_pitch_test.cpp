@@ -1,0 +1,44 @@
+#include "engine/fits/thread_pitch.h"
+
+#include <gtest/gtest.h>
+
+namespace glissade {
+namespace {
+
+TEST(ThreadPitch, IsTheCoarseOneOfTheNearestSize) {
+  for (const auto& [radius, pitch, size] :
+       {std::tuple(0.005, 0.0015, "M10"), std::tuple(0.0025, 0.0008, "M5"), std::tuple(0.00302, 0.001, "M6"),
+        std::tuple(0.01, 0.0025, "M20"), std::tuple(1e-5, 0.00025, "M1"), std::tuple(0.5, 0.006, "M64")}) {
+    EXPECT_DOUBLE_EQ(isoCoarsePitch(radius).pitch, pitch) << radius;
+    EXPECT_EQ(isoCoarsePitch(radius).size, size);
+  }
+}
+
+TEST(ThreadPitch, ANominalSizeIsThatOfTheDiameterToAFewPercent) {
+  EXPECT_EQ(nominalSize(0.009997), "M10");
+  EXPECT_EQ(nominalSize(0.00255), "M2.5");
+  EXPECT_EQ(nominalSize(0.0053), "") << "between M5 and M6";
+  EXPECT_EQ(nominalSize(0.2), "");
+}
+
+/// The hole is the core of the thread: 0.541 pitches deep by ISO 68-1.
+TEST(ThreadPitch, IsAFineOneWhereTheDepthIs) {
+  for (const auto& [radius, pitch, drawn] :
+       {std::tuple(0.003, 0.001, 0.001), std::tuple(0.029, 0.0015, 0.0015), std::tuple(0.005, 0.00125, 0.00125),
+        std::tuple(0.01, 0.0025, 0.0025), std::tuple(0.01, 0.001, 0.001)}) {
+    EXPECT_DOUBLE_EQ(pitchOfDepth(radius, 0.541 * drawn), pitch) << radius;
+  }
+  EXPECT_DOUBLE_EQ(pitchOfDepth(0.003, 0.00005), 0.001) << "of no thread";
+  EXPECT_TRUE(isThreadDepth(0.029, 0.541 * 0.0015)) << "M58x1.5";
+}
+
+TEST(ThreadPitch, WhatIsThickerByLessThanTheFinestThreadIsPressedIn) {
+  EXPECT_TRUE(isThreadDepth(0.003, 0.0005)) << "M6 in its tap drill";
+  EXPECT_TRUE(isThreadDepth(0.005, 0.0005)) << "M10x1 in its tap drill";
+  EXPECT_TRUE(isThreadDepth(0.015, 0.0006)) << "M30x1";
+  EXPECT_FALSE(isThreadDepth(0.0024, 0.000075)) << "a horn on the shaft of a servo";
+  EXPECT_FALSE(isThreadDepth(0.005, 0.0001)) << "2 % of the radius";
+}
+
+}  // namespace
+}  // namespace glissade
