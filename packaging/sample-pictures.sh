@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Takes the small pictures of the welcome page: each sample that app/window/sample_scenarios.cpp lists, on a light and on
+# Takes the small pictures of the welcome page: each sample that widgets/files/sample_scenarios.cpp lists, on a light and on
 # a dark ground. Build before, and again afterwards: the pictures are resources of the programs.
 # usage: packaging/sample-pictures.sh [BUILD_FOLDER]
 set -euo pipefail
@@ -14,7 +14,7 @@ trap 'rm -rf "$work"' EXIT
   echo '<RCC version="1.0">'
   echo '  <qresource prefix="/welcome">'
 } >"$pictures/welcome.qrc"
-for sample in $(grep -o '{"[a-z0-9-]*/[a-z0-9-]*\.json"' "$root/app/window/sample_scenarios.cpp" | tr -d '{"'); do
+for sample in $(grep -o '{"[a-z0-9-]*/[a-z0-9-]*\.json"' "$root/widgets/files/sample_scenarios.cpp" | tr -d '{"'); do
   name=${sample//\//-}
   for theme in light dark; do
     picture=${name%.json}-$theme.png

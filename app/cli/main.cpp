@@ -17,10 +17,10 @@
 #include "app/cli/commands.h"
 #include "app/cli/parsed_command.h"
 #include "app/cli/printable_output.h"
-#include "app/version_text.h"
 #include "engine/base/enum_names.h"
 #include "engine/base/guarded.h"
 #include "engine/base/limits.h"
+#include "engine/base/version_text.h"
 #include "engine/files/path_exporter.h"
 
 namespace {

@@ -17,24 +17,24 @@
 #include <cstring>
 #include <iostream>
 
-#include "app/script/script_runner.h"
-#include "app/version_text.h"
 #include "app/window/guarded_application.h"
 #include "app/window/main_window.h"
-#include "app/window/manual_controller.h"
-#include "app/window/scenario_pictures.h"
 #include "app/window/screen_fit.h"
-#include "app/window/study_batch.h"
 #include "app/window/theme.h"
-#include "app/window/window_memory.h"
 #include "app/window/window_picture.h"
 #include "engine/base/file.h"
 #include "engine/base/memory_use.h"
 #include "engine/base/number_text.h"
+#include "engine/base/version_text.h"
 #include "engine/files/part_files.h"
-#include "widgets/manual/manual_writer.h"
-#include "widgets/plots/picture_file.h"
+#include "widgets/controls/picture_file.h"
+#include "widgets/help/manual_controller.h"
+#include "widgets/help/manual_writer.h"
 #include "widgets/scene3d/stereo_mode.h"
+#include "widgets/studies/study_batch.h"
+#include "widgets/workbench/scenario_pictures.h"
+#include "widgets/workbench/script_runner.h"
+#include "widgets/workbench/window_memory.h"
 
 namespace glissade {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/bridge/session_bridge.h"
+#include "widgets/document/session_bridge.h"
 #include "widgets/scene3d/scene_widget.h"
 
 namespace glissade {

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "app/window/scene_target.h"
+#include "widgets/workbench/scene_target.h"
 
 namespace glissade {
 

@@ -2,11 +2,11 @@
 
 #include <QScreen>
 
-#include "app/window/access_controller.h"
-#include "app/window/head_controller.h"
-#include "app/window/headset_controller.h"
-#include "app/window/headset_panel_controller.h"
-#include "app/window/stereo_controller.h"
+#include "widgets/devices/head_controller.h"
+#include "widgets/headset/headset_controller.h"
+#include "widgets/headset/headset_panel_controller.h"
+#include "widgets/sequence/access_controller.h"
+#include "widgets/view/stereo_controller.h"
 
 namespace glissade {
 

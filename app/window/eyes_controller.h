@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/window/hand_tools.h"
-#include "app/window/workbench.h"
+#include "widgets/headset/hand_tools.h"
+#include "widgets/workbench/workbench.h"
 
 namespace glissade {
 

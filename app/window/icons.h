@@ -2,7 +2,7 @@
 
 #include <QColor>
 
-#include "widgets/commands/action_catalogue.h"
+#include "widgets/controls/action_catalogue.h"
 
 namespace glissade {
 

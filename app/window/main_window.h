@@ -3,9 +3,9 @@
 #include <functional>
 #include <memory>
 
-#include "app/window/panel_docks.h"
 #include "app/window/window_room.h"
-#include "app/window/workbench.h"
+#include "widgets/workbench/panel_docks.h"
+#include "widgets/workbench/workbench.h"
 
 namespace glissade {
 

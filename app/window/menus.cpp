@@ -6,9 +6,9 @@
 #include <QToolBar>
 #include <QToolButton>
 
-#include "app/window/menu_mnemonics.h"
 #include "app/window/menu_table.h"
-#include "app/window/panel_docks.h"
+#include "widgets/controls/menu_mnemonics.h"
+#include "widgets/workbench/panel_docks.h"
 
 namespace glissade {
 namespace {

@@ -4,7 +4,7 @@
 #include <QMenu>
 #include <vector>
 
-#include "widgets/commands/action_catalogue.h"
+#include "widgets/controls/action_catalogue.h"
 
 namespace glissade {
 

@@ -6,9 +6,9 @@
 
 #include "app/window/preferences_dialog.h"
 #include "app/window/theme.h"
-#include "app/window/window_memory.h"
 #include "engine/base/length_units.h"
-#include "widgets/commands/dark_palette.h"
+#include "widgets/controls/dark_palette.h"
+#include "widgets/workbench/window_memory.h"
 
 namespace glissade {
 

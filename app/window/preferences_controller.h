@@ -4,9 +4,9 @@
 
 #include <functional>
 
-#include "app/window/preferences.h"
-#include "app/window/workbench.h"
 #include "widgets/scene3d/scene_view.h"
+#include "widgets/workbench/preferences.h"
+#include "widgets/workbench/workbench.h"
 
 namespace glissade {
 

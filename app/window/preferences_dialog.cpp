@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-#include "widgets/commands/colour_swatch.h"
+#include "widgets/controls/colour_swatch.h"
 #include "widgets/scene3d/navigation_style.h"
 
 namespace glissade {

@@ -8,9 +8,9 @@
 
 #include <optional>
 
-#include "app/window/preferences.h"
 #include "engine/places/rigid_body.h"
-#include "widgets/commands/action_catalogue.h"
+#include "widgets/controls/action_catalogue.h"
+#include "widgets/workbench/preferences.h"
 
 namespace glissade {
 

@@ -5,7 +5,7 @@
 #include <QMainWindow>
 #include <QTimer>
 
-#include "app/window/panel_docks.h"
+#include "widgets/workbench/panel_docks.h"
 
 namespace glissade {
 

@@ -10,14 +10,14 @@
 #include <filesystem>
 #include <sstream>
 
-#include "app/window/scene_target.h"
 #include "app/window/window_picture.h"
 #include "engine/base/file.h"
 #include "engine/base/file_save.h"
 #include "engine/base/memory_use.h"
 #include "engine/base/number_text.h"
-#include "widgets/plots/picture_file.h"
+#include "widgets/controls/picture_file.h"
 #include "widgets/scene3d/camera_controller.h"
+#include "widgets/workbench/scene_target.h"
 
 namespace glissade {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/window/workbench.h"
+#include "widgets/workbench/workbench.h"
 
 namespace glissade {
 

@@ -7,6 +7,7 @@
 #include "engine/base/message.h"
 #include "engine/base/work_watch.h"
 #include "engine/check/motion_setup.h"
+#include "engine/check/product.h"
 
 namespace glissade::check {
 

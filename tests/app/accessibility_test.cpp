@@ -25,10 +25,10 @@
 #include <set>
 
 #include "app/window/theme.h"
-#include "app/window/window_memory.h"
 #include "engine/files/scenario_io.h"
 #include "tests/app/every_dialog.h"
 #include "tests/app/whole_window.h"
+#include "widgets/workbench/window_memory.h"
 
 namespace glissade {
 namespace {

@@ -1,4 +1,4 @@
-#include "widgets/commands/action_catalogue.h"
+#include "widgets/controls/action_catalogue.h"
 
 #include <gtest/gtest.h>
 

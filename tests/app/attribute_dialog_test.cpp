@@ -1,4 +1,4 @@
-#include "widgets/editors/attribute_dialog.h"
+#include "widgets/places/attribute_dialog.h"
 
 #include <gtest/gtest.h>
 

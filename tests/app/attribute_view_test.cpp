@@ -7,10 +7,10 @@
 #include <QTest>
 #include <QWheelEvent>
 
-#include "app/window/editor_in_use.h"
 #include "engine/files/scenario_io.h"
 #include "tests/engine/support/directories.h"
-#include "widgets/editors/semantics_panel.h"
+#include "widgets/places/semantics_panel.h"
+#include "widgets/workbench/editor_in_use.h"
 
 namespace glissade {
 namespace {

@@ -1,4 +1,4 @@
-#include "widgets/bridge/background_task.h"
+#include "widgets/controls/background_task.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "widgets/panels/clearance_curve.h"
+#include "widgets/paths/clearance_curve.h"
 
 #include <gtest/gtest.h>
 

@@ -6,14 +6,14 @@
 #include <QToolButton>
 #include <QtTest/QTest>
 
-#include "app/window/command_palette.h"
 #include "engine/planning/planner.h"
-#include "widgets/commands/diagnostic_text.h"
+#include "widgets/controls/diagnostic_text.h"
+#include "widgets/controls/notice_bar.h"
 #include "widgets/document/path_shelf.h"
-#include "widgets/panels/log_panel.h"
-#include "widgets/panels/notice_bar.h"
-#include "widgets/panels/pace_box.h"
-#include "widgets/panels/strategy_use.h"
+#include "widgets/help/command_palette.h"
+#include "widgets/help/log_panel.h"
+#include "widgets/run/pace_box.h"
+#include "widgets/run/strategy_use.h"
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/scale_bar.h"
 #include "widgets/scene3d/scene_pick.h"

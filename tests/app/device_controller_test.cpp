@@ -1,5 +1,5 @@
 // The person's devices in a window in real time, with a daemon that works or fails.
-#include "app/window/device_controller.h"
+#include "widgets/devices/device_controller.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -5,25 +5,25 @@
 #include <memory>
 #include <vector>
 
-#include "app/window/command_palette.h"
 #include "app/window/main_window.h"
-#include "app/window/named_views_dialog.h"
 #include "app/window/preferences_dialog.h"
-#include "app/window/shortcuts_dialog.h"
-#include "app/window/stereo_dialog.h"
 #include "engine/files/product_file.h"
+#include "widgets/contacts/joint_dialog.h"
+#include "widgets/contacts/joint_draft.h"
 #include "widgets/devices/calibration_dialog.h"
 #include "widgets/devices/head_dialog.h"
-#include "widgets/editors/attribute_dialog.h"
-#include "widgets/editors/parts_dialog.h"
-#include "widgets/editors/rules_dialog.h"
-#include "widgets/manual/manual_browser.h"
-#include "widgets/panels/compare_paths_dialog.h"
-#include "widgets/panels/joint_dialog.h"
-#include "widgets/panels/joint_draft.h"
-#include "widgets/studies/plan_graph_view.h"
+#include "widgets/help/command_palette.h"
+#include "widgets/help/manual_browser.h"
+#include "widgets/help/shortcuts_dialog.h"
+#include "widgets/paths/compare_paths_dialog.h"
+#include "widgets/places/attribute_dialog.h"
+#include "widgets/places/rules_dialog.h"
+#include "widgets/product/parts_dialog.h"
+#include "widgets/sequence/plan_graph_view.h"
+#include "widgets/sequence/times_view.h"
 #include "widgets/studies/study_browser.h"
-#include "widgets/studies/times_view.h"
+#include "widgets/view/named_views_dialog.h"
+#include "widgets/view/stereo_dialog.h"
 
 namespace glissade::test {
 

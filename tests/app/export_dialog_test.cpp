@@ -1,4 +1,4 @@
-#include "app/window/export_dialog.h"
+#include "widgets/paths/export_dialog.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/window/film_job.h"
+#include "widgets/film/film_job.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "widgets/panels/fits_panel.h"
+#include "widgets/contacts/fits_panel.h"
 
 #include <gtest/gtest.h>
 

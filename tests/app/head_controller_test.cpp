@@ -1,5 +1,5 @@
 // A tracked head in the whole window, with a tracker that sends datagrams.
-#include "app/window/head_controller.h"
+#include "widgets/devices/head_controller.h"
 
 #include <QElapsedTimer>
 #include <QThread>

@@ -1,5 +1,5 @@
 // View > Headset in the whole window, with a headset whose answers the test sets.
-#include "app/window/headset_controller.h"
+#include "widgets/headset/headset_controller.h"
 
 #include <QStatusBar>
 

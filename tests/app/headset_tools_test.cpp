@@ -6,12 +6,12 @@
 
 #include <cmath>
 
-#include "app/window/headset_panel_controller.h"
-#include "app/window/plain_message_box.h"
 #include "tests/app/said_headset.h"
 #include "tests/app/whole_window.h"
+#include "widgets/controls/plain_message_box.h"
 #include "widgets/devices/device_settings.h"
-#include "widgets/panels/sequence_panel.h"
+#include "widgets/headset/headset_panel_controller.h"
+#include "widgets/sequence/sequence_panel.h"
 
 namespace glissade {
 namespace {

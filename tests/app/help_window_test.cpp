@@ -1,6 +1,6 @@
 // The welcome page, the tour, "What's this?" and context menus, in the window as a person would use them.
-#include "app/window/tour_steps.h"
 #include "tests/app/window_fixture.h"
+#include "widgets/help/tour_steps.h"
 
 namespace {
 

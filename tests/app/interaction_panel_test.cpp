@@ -1,4 +1,4 @@
-#include "widgets/panels/interaction_panel.h"
+#include "widgets/run/interaction_panel.h"
 
 #include <gtest/gtest.h>
 

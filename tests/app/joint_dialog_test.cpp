@@ -1,9 +1,9 @@
-#include "widgets/panels/joint_dialog.h"
+#include "widgets/contacts/joint_dialog.h"
 
 #include <gtest/gtest.h>
 
 #include "tests/app/joint_parts.h"
-#include "widgets/panels/joint_draft.h"
+#include "widgets/contacts/joint_draft.h"
 
 namespace glissade {
 namespace {

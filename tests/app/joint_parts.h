@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "tests/engine/fits/turned_parts.h"
-#include "widgets/panels/joint_table.h"
+#include "widgets/contacts/joint_table.h"
 
 namespace glissade::test {
 

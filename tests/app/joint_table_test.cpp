@@ -1,9 +1,9 @@
-#include "widgets/panels/joint_table.h"
+#include "widgets/contacts/joint_table.h"
 
 #include <gtest/gtest.h>
 
 #include "tests/app/joint_parts.h"
-#include "widgets/panels/joint_draft.h"
+#include "widgets/contacts/joint_draft.h"
 
 namespace glissade {
 namespace {

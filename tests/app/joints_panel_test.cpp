@@ -1,4 +1,4 @@
-#include "widgets/panels/joints_panel.h"
+#include "widgets/contacts/joints_panel.h"
 
 #include <gtest/gtest.h>
 

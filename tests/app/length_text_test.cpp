@@ -1,4 +1,4 @@
-#include "widgets/commands/length_text.h"
+#include "widgets/controls/length_text.h"
 
 #include <gtest/gtest.h>
 

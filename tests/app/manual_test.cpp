@@ -6,9 +6,9 @@
 
 #include "engine/base/parameters.h"
 #include "tests/app/window_fixture.h"
-#include "widgets/commands/action_catalogue.h"
-#include "widgets/manual/manual_pages.h"
-#include "widgets/manual/manual_terms.h"
+#include "widgets/controls/action_catalogue.h"
+#include "widgets/help/manual_pages.h"
+#include "widgets/help/manual_terms.h"
 
 namespace glissade::test {
 namespace {

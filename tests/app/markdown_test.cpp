@@ -1,4 +1,4 @@
-#include "widgets/manual/markdown.h"
+#include "widgets/help/markdown.h"
 
 #include <gtest/gtest.h>
 

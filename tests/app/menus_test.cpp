@@ -8,12 +8,12 @@
 #include <QMenuBar>
 #include <QRegularExpression>
 
-#include "app/window/manual_controller.h"
-#include "app/window/menu_mnemonics.h"
-#include "app/window/menu_path.h"
 #include "app/window/menu_table.h"
 #include "tests/app/whole_window.h"
-#include "widgets/manual/manual_pages.h"
+#include "widgets/controls/menu_mnemonics.h"
+#include "widgets/controls/menu_path.h"
+#include "widgets/help/manual_controller.h"
+#include "widgets/help/manual_pages.h"
 
 namespace glissade {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/window/messages.h"
+#include "widgets/workbench/messages.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <functional>
 #include <vector>
 
-#include "app/window/save_conflict.h"
+#include "widgets/files/save_conflict.h"
 
 namespace glissade {
 namespace {

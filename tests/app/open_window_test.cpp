@@ -18,7 +18,7 @@
 #include "engine/import/mesh_import.h"
 #include "tests/app/unseen_scene.h"
 #include "tests/engine/support/directories.h"
-#include "widgets/editors/parts_dialog.h"
+#include "widgets/product/parts_dialog.h"
 
 namespace glissade {
 namespace {

@@ -1,4 +1,4 @@
-#include "widgets/panels/parameter_slider.h"
+#include "widgets/controls/parameter_slider.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "widgets/commands/length_text.h"
+#include "widgets/controls/length_text.h"
 
 namespace glissade {
 namespace {

@@ -1,4 +1,4 @@
-#include "widgets/editors/parts_dialog.h"
+#include "widgets/product/parts_dialog.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

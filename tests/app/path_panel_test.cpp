@@ -1,4 +1,4 @@
-#include "widgets/panels/path_panel.h"
+#include "widgets/paths/path_panel.h"
 #include "tests/engine/support/directories.h"
 
 #include <gtest/gtest.h>

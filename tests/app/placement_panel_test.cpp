@@ -1,4 +1,4 @@
-#include "widgets/panels/placement_panel.h"
+#include "widgets/product/placement_panel.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "widgets/panels/plan_panel.h"
+#include "widgets/places/plan_panel.h"
 
 #include <gtest/gtest.h>
 

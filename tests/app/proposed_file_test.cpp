@@ -1,4 +1,4 @@
-#include "app/window/proposed_file.h"
+#include "widgets/workbench/proposed_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "widgets/editors/rules_dialog.h"
+#include "widgets/places/rules_dialog.h"
 
 #include <gtest/gtest.h>
 

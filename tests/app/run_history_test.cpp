@@ -1,4 +1,4 @@
-#include "widgets/panels/run_history.h"
+#include "widgets/run/run_history.h"
 
 #include <gtest/gtest.h>
 

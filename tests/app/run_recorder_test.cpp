@@ -1,4 +1,4 @@
-#include "widgets/bridge/run_recorder.h"
+#include "widgets/document/run_recorder.h"
 #include "tests/engine/support/directories.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 
 #include "engine/files/scenario_io.h"
 #include "engine/session/run_comparison.h"
-#include "widgets/bridge/replay_runner.h"
+#include "widgets/document/replay_runner.h"
 
 namespace glissade {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "widgets/headset/headset.h"
+#include "widgets/openxr/headset.h"
 
 namespace glissade::test {
 

@@ -1,4 +1,4 @@
-#include "app/window/save_controller.h"
+#include "widgets/files/save_controller.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -13,7 +13,6 @@
 
 #include <csignal>
 
-#include "app/window/save_conflict.h"
 #include "engine/base/file.h"
 #include "engine/base/file_versions.h"
 #include "engine/files/assembly_edits.h"
@@ -21,6 +20,7 @@
 #include "tests/engine/files/scenario_fixture.h"
 #include "tests/engine/support/temporary_folder.h"
 #include "widgets/document/workbench_document.h"
+#include "widgets/files/save_conflict.h"
 
 namespace glissade {
 namespace {

@@ -1,4 +1,4 @@
-#include "widgets/panels/scene_panel.h"
+#include "widgets/product/scene_panel.h"
 
 #include <gtest/gtest.h>
 

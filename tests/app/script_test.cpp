@@ -1,4 +1,4 @@
-#include "app/script/script.h"
+#include "widgets/workbench/script.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "widgets/panels/section_panel.h"
+#include "widgets/section/section_panel.h"
 
 #include <gtest/gtest.h>
 

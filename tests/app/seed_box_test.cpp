@@ -1,4 +1,4 @@
-#include "widgets/panels/seed_box.h"
+#include "widgets/run/seed_box.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-#include "widgets/panels/sequence_panel.h"
+#include "widgets/sequence/sequence_panel.h"
 
 #include <gtest/gtest.h>
 
 #include <QSignalSpy>
 #include <QtTest>
 
-#include "app/window/stuck_marks.h"
 #include "tests/engine/sequence/products.h"
+#include "widgets/sequence/stuck_marks.h"
 
 namespace glissade {
 namespace {

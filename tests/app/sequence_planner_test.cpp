@@ -1,4 +1,4 @@
-#include "widgets/bridge/sequence_planner.h"
+#include "widgets/document/sequence_planner.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "widgets/bridge/session_bridge.h"
+#include "widgets/document/session_bridge.h"
 #include "tests/engine/support/directories.h"
 
 #include <gtest/gtest.h>

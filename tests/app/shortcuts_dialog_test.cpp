@@ -1,4 +1,4 @@
-#include "app/window/shortcuts_dialog.h"
+#include "widgets/help/shortcuts_dialog.h"
 
 #include <gtest/gtest.h>
 

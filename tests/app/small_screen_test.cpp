@@ -14,11 +14,11 @@
 #include <QToolBar>
 #include <QToolButton>
 
-#include "app/window/plain_message_box.h"
 #include "app/window/screen_fit.h"
-#include "app/window/welcome_page.h"
 #include "tests/app/every_dialog.h"
 #include "tests/app/whole_window.h"
+#include "widgets/controls/plain_message_box.h"
+#include "widgets/files/welcome_page.h"
 
 namespace glissade {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/window/keyboard_steering.h"
+#include "widgets/devices/keyboard_steering.h"
 
 #include <gtest/gtest.h>
 

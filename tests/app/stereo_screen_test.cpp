@@ -5,11 +5,11 @@
 #include <QMenuBar>
 #include <QMouseEvent>
 
-#include "app/window/scene_target.h"
-#include "app/window/stereo_controller.h"
 #include "tests/app/whole_window.h"
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/view_cube.h"
+#include "widgets/view/stereo_controller.h"
+#include "widgets/workbench/scene_target.h"
 
 namespace glissade {
 namespace {

@@ -1,4 +1,4 @@
-#include "widgets/studies/times_view.h"
+#include "widgets/sequence/times_view.h"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 #include <QTableWidget>
 #include <QTemporaryDir>
 
-#include "app/window/window_memory.h"
 #include "tests/app/whole_window.h"
-#include "widgets/studies/times_view.h"
+#include "widgets/sequence/times_view.h"
+#include "widgets/workbench/window_memory.h"
 
 namespace glissade {
 namespace {

@@ -6,7 +6,7 @@
 #include <QTemporaryDir>
 
 #include "tests/engine/support/directories.h"
-#include "widgets/panels/qt_texts.h"
+#include "widgets/controls/qt_texts.h"
 
 namespace glissade {
 namespace {

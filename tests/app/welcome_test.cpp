@@ -10,12 +10,12 @@
 
 #include <filesystem>
 
-#include "app/window/card_grid.h"
-#include "app/window/file_dialogs.h"
-#include "app/window/sample_scenarios.h"
-#include "app/window/scenario_pictures.h"
-#include "app/window/window_memory.h"
 #include "tests/app/window_fixture.h"
+#include "widgets/files/card_grid.h"
+#include "widgets/files/sample_scenarios.h"
+#include "widgets/workbench/file_dialogs.h"
+#include "widgets/workbench/scenario_pictures.h"
+#include "widgets/workbench/window_memory.h"
 
 namespace glissade {
 namespace {

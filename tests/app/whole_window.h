@@ -9,10 +9,10 @@
 #include <memory>
 
 #include "app/window/main_window.h"
-#include "app/window/preferences.h"
 #include "app/window/theme.h"
 #include "tests/app/unseen_scene.h"
 #include "tests/engine/support/directories.h"
+#include "widgets/workbench/preferences.h"
 
 namespace glissade::test {
 

@@ -7,7 +7,6 @@
 #include <functional>
 
 #include "app/window/guarded_application.h"
-#include "app/window/work_controller.h"
 #include "engine/base/guarded.h"
 #include "engine/files/scenario_io.h"
 #include "engine/session/run_comparison.h"
@@ -15,8 +14,9 @@
 #include "tests/engine/support/failing_allocation.h"
 #include "tests/engine/support/session_support.h"
 #include "tests/engine/support/thrown_exceptions.h"
-#include "widgets/bridge/knowledge_builder.h"
-#include "widgets/bridge/replay_runner.h"
+#include "widgets/document/knowledge_builder.h"
+#include "widgets/document/replay_runner.h"
+#include "widgets/workbench/work_controller.h"
 
 namespace glissade {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/window/window_memory.h"
+#include "widgets/workbench/window_memory.h"
 
 #include <gtest/gtest.h>
 

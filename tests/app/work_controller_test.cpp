@@ -1,4 +1,4 @@
-#include "app/window/work_controller.h"
+#include "widgets/workbench/work_controller.h"
 
 #include <gtest/gtest.h>
 

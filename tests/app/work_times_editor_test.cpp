@@ -1,4 +1,4 @@
-#include "widgets/studies/work_times_editor.h"
+#include "widgets/sequence/work_times_editor.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <QSignalSpy>
 #include <QtTest>
 
-#include "widgets/studies/work_time_texts.h"
+#include "widgets/sequence/work_time_texts.h"
 
 namespace glissade {
 namespace {

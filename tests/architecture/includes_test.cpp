@@ -251,8 +251,8 @@ TEST(Architecture, WidgetsDoNotKnowTheApplication) {
 /// records.
 TEST(Architecture, NobodyElseKeepsAScenario) {
   const std::set<std::string> holders{"widgets/document/workbench_document.h",
-                                      "widgets/document/workbench_document.cpp", "widgets/bridge/session_bridge.h",
-                                      "widgets/bridge/run_recorder.h", "widgets/scene3d/scene_view_impl.h"};
+                                      "widgets/document/workbench_document.cpp", "widgets/document/session_bridge.h",
+                                      "widgets/document/run_recorder.h", "widgets/scene3d/scene_view_impl.h"};
   static const std::regex member(R"(^ +(std::shared_ptr<const LoadedScenario>|ScenarioPtr) \w+_;)");
   const fs::path root = test::sourceDirectory();
   int seen = 0;

@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-#include "widgets/commands/diagnostic_text.h"
+#include "widgets/controls/diagnostic_text.h"
 
 namespace glissade {
 namespace {

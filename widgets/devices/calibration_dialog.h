@@ -11,7 +11,7 @@
 
 #include "engine/operator/device_shaping.h"
 #include "engine/operator/hand_inputs.h"
-#include "widgets/commands/action_catalogue.h"
+#include "widgets/controls/action_catalogue.h"
 #include "widgets/devices/axis_row.h"
 #include "widgets/devices/device_settings.h"
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "engine/files/scenario_ptr.h"
-#include "widgets/bridge/background_task.h"
+#include "widgets/controls/background_task.h"
 
 namespace glissade {
 

@@ -33,8 +33,8 @@
 
 #include "engine/base/file.h"
 #include "engine/study/study_words.h"
-#include "widgets/commands/window_language.h"
-#include "widgets/plots/picture_file.h"
+#include "widgets/controls/picture_file.h"
+#include "widgets/controls/window_language.h"
 
 namespace glissade {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-#include "widgets/commands/length_text.h"
+#include "widgets/controls/length_text.h"
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/label_placement.h"
 #include "widgets/scene3d/legend_overlay.h"

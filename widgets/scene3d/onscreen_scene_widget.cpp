@@ -4,7 +4,7 @@
 #include <QTimer>
 #include <utility>
 
-#include "widgets/headset/openxr_headset.h"
+#include "widgets/openxr/openxr_headset.h"
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/detail_control.h"
 #include "widgets/scene3d/mouse_navigation.h"

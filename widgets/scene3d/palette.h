@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/planning/roadmap.h"
-#include "widgets/commands/dark_ground.h"
+#include "widgets/controls/dark_ground.h"
 #include "widgets/scene3d/osg_convert.h"
 #include "widgets/scene3d/scene_view.h"
 

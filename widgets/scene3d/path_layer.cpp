@@ -13,7 +13,7 @@
 
 #include "engine/geometry/pose.h"
 #include "engine/geometry/primitives.h"
-#include "widgets/document/author_colour.h"
+#include "widgets/controls/author_colour.h"
 #include "widgets/scene3d/body_layer.h"
 #include "widgets/scene3d/geometry_builder.h"
 #include "widgets/scene3d/osg_convert.h"

@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-#include "widgets/commands/length_text.h"
+#include "widgets/controls/length_text.h"
 #include "widgets/scene3d/axis_colours.h"
 #include "widgets/scene3d/camera_controller.h"
 

@@ -1,7 +1,7 @@
 #include "widgets/scene3d/scene_legend.h"
 
-#include "widgets/document/author_colour.h"
-#include "widgets/document/complexity_colour.h"
+#include "widgets/controls/author_colour.h"
+#include "widgets/controls/complexity_colour.h"
 #include "widgets/scene3d/scene_view_impl.h"
 
 namespace glissade {

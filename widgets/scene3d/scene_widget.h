@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "widgets/headset/headset.h"
+#include "widgets/openxr/headset.h"
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/navigation_style.h"
 #include "widgets/scene3d/quad_buffer.h"

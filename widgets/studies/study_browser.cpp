@@ -14,7 +14,7 @@
 #include "engine/study/finding_check.h"
 #include "engine/study/study_plots.h"
 #include "engine/study/study_words.h"
-#include "widgets/commands/window_language.h"
+#include "widgets/controls/window_language.h"
 #include "widgets/plots/plot_view.h"
 
 namespace glissade {

@@ -6,7 +6,7 @@
 #include "engine/study/study_folder.h"
 #include "engine/study/study_summary.h"
 #include "engine/study/study_words.h"
-#include "widgets/commands/action_catalogue.h"
+#include "widgets/controls/action_catalogue.h"
 
 class QLabel;
 class QVBoxLayout;

@@ -1,4 +1,4 @@
-#include "widgets/headset/controller_bindings.h"
+#include "widgets/openxr/controller_bindings.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "widgets/headset/controller_link.h"
+#include "widgets/openxr/controller_link.h"
 
 #include <gtest/gtest.h>
 

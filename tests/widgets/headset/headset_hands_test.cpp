@@ -7,7 +7,7 @@
 #include "tests/widgets/headset/runtime/headset_script.h"
 #include "tests/widgets/headset/window_with_headset.h"
 #include "widgets/devices/device_settings.h"
-#include "widgets/headset/room_placement.h"
+#include "widgets/openxr/room_placement.h"
 
 namespace glissade {
 namespace {

@@ -1,4 +1,4 @@
-#include "widgets/headset/headset_machine.h"
+#include "widgets/openxr/headset_machine.h"
 
 #include <gtest/gtest.h>
 

@@ -3,12 +3,12 @@
 #include <QAbstractButton>
 #include <QSlider>
 
-#include "app/window/headset_panel_controller.h"
 #include "engine/geometry/least_rotation.h"
 #include "tests/app/golden_picture.h"
 #include "tests/widgets/headset/runtime/headset_script.h"
 #include "tests/widgets/headset/window_with_headset.h"
-#include "widgets/headset/panel_in_room.h"
+#include "widgets/headset/headset_panel_controller.h"
+#include "widgets/openxr/panel_in_room.h"
 
 namespace glissade {
 namespace {

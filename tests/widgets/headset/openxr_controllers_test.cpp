@@ -6,7 +6,7 @@
 
 #include "tests/widgets/headset/runtime/headset_script.h"
 #include "tests/widgets/headset/window_target.h"
-#include "widgets/headset/openxr_headset.h"
+#include "widgets/openxr/openxr_headset.h"
 #include "widgets/scene3d/scene_view.h"
 
 namespace glissade {

@@ -1,5 +1,5 @@
 // The headset with the runtime for tests, on a virtual display: see with_headset.sh.
-#include "widgets/headset/openxr_headset.h"
+#include "widgets/openxr/openxr_headset.h"
 #include "engine/geometry/least_rotation.h"
 
 #include <gtest/gtest.h>
@@ -17,8 +17,8 @@
 #include "tests/app/golden_picture.h"
 #include "tests/widgets/headset/runtime/headset_script.h"
 #include "tests/widgets/headset/window_target.h"
-#include "widgets/headset/picture_rate.h"
-#include "widgets/headset/private_context.h"
+#include "widgets/openxr/picture_rate.h"
+#include "widgets/openxr/private_context.h"
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/merged_bodies.h"
 #include "widgets/scene3d/scene_renderer.h"

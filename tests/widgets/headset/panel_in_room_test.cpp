@@ -1,9 +1,9 @@
-#include "widgets/headset/panel_in_room.h"
+#include "widgets/openxr/panel_in_room.h"
 #include "engine/geometry/least_rotation.h"
 
 #include <gtest/gtest.h>
 
-#include "widgets/headset/controller_link.h"
+#include "widgets/openxr/controller_link.h"
 
 namespace glissade {
 namespace {

@@ -1,4 +1,4 @@
-#include "widgets/headset/picture_rate.h"
+#include "widgets/openxr/picture_rate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "widgets/headset/pointer_mailbox.h"
+#include "widgets/openxr/pointer_mailbox.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "widgets/headset/room_placement.h"
+#include "widgets/openxr/room_placement.h"
 
 #include <gtest/gtest.h>
 
-#include "widgets/headset/eye_sight.h"
+#include "widgets/openxr/eye_sight.h"
 
 namespace glissade {
 namespace {

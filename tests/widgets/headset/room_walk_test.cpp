@@ -1,4 +1,4 @@
-#include "widgets/headset/room_walk.h"
+#include "widgets/openxr/room_walk.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "widgets/headset/text_in_room.h"
+#include "widgets/openxr/text_in_room.h"
 
 #include <gtest/gtest.h>
 

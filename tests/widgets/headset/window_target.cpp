@@ -4,7 +4,7 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-#include "widgets/headset/private_context.h"
+#include "widgets/openxr/private_context.h"
 #include "widgets/scene3d/scene_renderer.h"
 
 namespace glissade::test {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/geometry/pose.h"
-#include "widgets/headset/eye_sight.h"
+#include "widgets/openxr/eye_sight.h"
 
 namespace glissade::test {
 

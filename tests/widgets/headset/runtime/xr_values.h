@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "widgets/headset/eye_sight.h"
+#include "widgets/openxr/eye_sight.h"
 
 namespace glissade::test {
 

@@ -1,0 +1,251 @@
+#include "widgets/document/sequence_planner.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "engine/base/thread_team.h"
+#include "engine/files/judged_product.h"
+#include "engine/fits/joint_edits.h"
+#include "engine/fits/joint_finder.h"
+#include "engine/sequence/sequence_run.h"
+
+namespace glissade {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Share of finding the product's fits in all work.
+constexpr double kFitsShare = 0.1;
+
+/// Passes on the messages of the strategy, on the worker's thread.
+class AnnouncingHost final : public SequenceHost {
+ public:
+  using Announce = std::function<void(const GrownPlan&)>;
+
+  AnnouncingHost(const SequenceJob& job, WorkWatch watch, StopSource stop, ThreadTeam& team, Announce announce)
+      : job_(job),
+        watch_(std::move(watch)),
+        stop_(std::move(stop)),
+        token_(stop_.token()),
+        team_(team),
+        announce_(std::move(announce)) {
+    if (job.resumed) grown_.plan = job.resumed;
+    known_ = job.resumed ? job.resumed->steps.size() : 0;
+    stopWhereEnough(known_);
+  }
+
+  const StopToken& stopToken() const override { return token_; }
+  ThreadTeam& team() override { return team_; }
+
+  void asking(std::size_t bodies, int effort) override {
+    grown_.asking = bodies;
+    grown_.effort = effort;
+    if (effort > 0) announce_(grown_);
+  }
+
+  void stepFound(const AssemblyPlan& plan) override {
+    grown_.plan = std::make_shared<const AssemblyPlan>(plan);
+    const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
+    grown_.foundAfter.resize(plan.steps.size() - known_, seconds);
+    const double parts = static_cast<double>(std::max<std::size_t>(1, plan.parts()));
+    watch_.report(kFitsShare + (1.0 - kFitsShare) * static_cast<double>(plan.steps.size()) / parts);
+    announce_(grown_);
+    stopWhereEnough(plan.steps.size());
+  }
+
+  GrownPlan ended(AssemblyPlan plan) {
+    if (job_.mostSteps) keepFirst(*job_.mostSteps, plan);
+    grown_.foundAfter.resize(
+        std::min(grown_.foundAfter.size(), plan.steps.size() - std::min(known_, plan.steps.size())));
+    grown_.plan = std::make_shared<const AssemblyPlan>(std::move(plan));
+    grown_.asking = 0;
+    return grown_;
+  }
+
+ private:
+  /// Steps are found in waves, which may exceed `most`. The surplus steps become waiting steps.
+  static void keepFirst(std::size_t most, AssemblyPlan& plan) {
+    if (plan.steps.size() <= most) return;
+    const auto rest = plan.steps.begin() + static_cast<std::ptrdiff_t>(most);
+    for (auto step = rest; step != plan.steps.end(); ++step) {
+      if (step->proof.afterSteps > most) continue;  // its proof needs other bodies to have left
+      plan.waiting.push_back(*step);
+      plan.waiting.back().after.clear();
+    }
+    plan.steps.erase(rest, plan.steps.end());
+    std::erase_if(plan.refusals, [&](const RefusedRemoval& refused) { return refused.afterSteps > most; });
+    plan.stuck.clear();
+    plan.end = PlanEnd::Interrupted;
+  }
+
+  void stopWhereEnough(std::size_t steps) {
+    if (job_.mostSteps && steps >= *job_.mostSteps) stop_.requestStop();
+  }
+
+  const SequenceJob& job_;
+  WorkWatch watch_;
+  StopSource stop_;
+  StopToken token_;
+  ThreadTeam& team_;
+  Announce announce_;
+  Clock::time_point begin_ = Clock::now();
+  std::size_t known_ = 0;
+  GrownPlan grown_;
+};
+
+std::size_t helpers() { return usableCores() - 1; }
+
+using FitsPtr = std::shared_ptr<const ProductFits>;
+/// Finds the fits of a product before it is planned.
+using FindFits = std::function<Result<FitsPtr>(const Joints& joints, ThreadTeam& team, const WorkWatch& watch)>;
+using FindJoints = std::function<Result<Joints>()>;
+
+Result<GrownPlan> planOf(const SequenceJob& job, const WorkWatch& watch, const StopSource& stop,
+                         const FindFits& findFits, const FindJoints& findJoints,
+                         const AnnouncingHost::Announce& announce) {
+  ThreadTeam team(helpers());
+  const AssembledProduct& product = *job.product;
+  const auto joints = findJoints();
+  if (!joints) return joints.error();
+  const auto found = findFits(*joints, team, watch.part(0.0, kFitsShare));
+  if (!found) return found.error();
+  const ProductFits& fits = **found;
+  watch.report(kFitsShare);
+  AnnouncingHost host(job, watch, stop, team, announce);
+  SequenceRequest request{job.staying, job.strategy, job.seed, job.demands, job.resumed.get(), job.known.get()};
+  request.joints = &*joints;
+  auto plan = planSequence(product, fits, request, host);
+  if (!plan) return plan.error();
+  return host.ended(std::move(*plan));
+}
+
+}  // namespace
+
+SequencePlanner::SequencePlanner(QObject* parent) : QObject(parent) {
+  connect(&task_, &BackgroundTask::ended, this, [this] { planning_ = false; });
+  connect(&task_, &BackgroundTask::failed, this, &SequencePlanner::failed);
+}
+
+SequencePlanner::~SequencePlanner() {
+  task_.disconnect(this);
+  drop();
+}
+
+/// Drops the signal if another request has come since.
+void SequencePlanner::deliver(const std::function<void()>& signal, std::uint64_t request) {
+  QMetaObject::invokeMethod(this, [this, signal, request] {
+    if (request == request_) signal();
+  });
+}
+
+/// The fits of the product with the bends of the joints that count.
+Result<FitsPtr> SequencePlanner::fitsOf(KnownProduct& known, const SequenceJob& job, const Joints& joints,
+                                        ThreadTeam& team, const WorkWatch& watch) {
+  AssembledProduct bent = *job.product;
+  bent.snaps = bendsOf(countingJoints(joints, job.demands.jointUse), bent);
+  const std::lock_guard lock(known.mutex);
+  if (known.product == job.product && known.fits && known.bends == bent.snaps) return known.fits;
+  auto fits = ProductFits::find(bent, team, watch);
+  if (!fits) return fits.error();
+  auto found = std::make_shared<const ProductFits>(std::move(*fits));
+  if (known.product != job.product) return found;
+  known.fits = found;
+  known.bends = bent.snaps;
+  return found;
+}
+
+/// Forgets the fits and joints if the product is another one.
+void SequencePlanner::know(KnownProduct& known, const ProductPtr& product) {
+  const std::lock_guard lock(known.mutex);
+  if (known.product == product) return;
+  known.product = product;
+  known.fits.reset();
+  known.joints.reset();
+}
+
+/// Returns no joints if the demands use none. Joints after a stop are incomplete, and not remembered.
+Result<Joints> SequencePlanner::jointsOf(KnownProduct& known, const SequenceJob& job, const StopToken& stop) {
+  know(known, job.product);
+  if (job.demands.jointUse == JointUse::Off) return Joints();
+  const std::lock_guard lock(known.mutex);
+  const bool isKnown = known.product == job.product && known.joints && known.classes == job.classes;
+  const auto found =
+      isKnown ? known.joints : std::make_shared<const Joints>(findJoints(*job.product, stop, job.classes));
+  if (stop.stopRequested()) return Joints();
+  if (known.product == job.product) {
+    known.joints = found;
+    known.classes = job.classes;
+  }
+  return applied(*found, job.demands.joints, *job.product);
+}
+
+void SequencePlanner::plan(const SequenceJob& job, bool atOnce) {
+  drop();
+  stop_ = StopSource();
+  const std::uint64_t request = request_;
+  const auto announce = [this, request](const GrownPlan& grown) {
+    deliver([this, grown] { emit this->grown(grown); }, request);
+  };
+  const auto findFits = [known = known_, job, stop = stop_](const Joints& joints, ThreadTeam& team,
+                                                            const WorkWatch& watch) {
+    return fitsOf(*known, job, joints, team, {stop.token(), watch.progressed});
+  };
+  const auto findJoints = [known = known_, job, stop = stop_] { return jointsOf(*known, job, stop.token()); };
+  planning_ = true;
+  task_.start(
+      GLISSADE_TEXT("planning the sequence"),
+      [this, job, stop = stop_, findFits, findJoints, announce](const WorkWatch& watch) -> BackgroundTask::Delivery {
+        const auto found =
+            std::make_shared<const Result<GrownPlan>>(planOf(job, watch, stop, findFits, findJoints, announce));
+        return [this, found] {
+          planning_ = false;
+          if (*found) {
+            emit planned(**found);
+          } else if (found->error().kind != ErrorKind::Interrupted) {
+            emit failed(found->error());
+          }
+        };
+      },
+      atOnce);
+}
+
+PlanCheck checkOf(const AssemblyPlan& plan, const AssembledProduct& product, const SequenceDemands& said,
+                  const WorkWatch& watch) {
+  const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt, watch, &said);
+  PlanCheck check;
+  for (const check::StepVerdict& step : verdict.steps) {
+    check.steps.push_back(step.valid() ? StepCheck::Agrees : StepCheck::Disagrees);
+  }
+  for (const check::Condition& condition : verdict.allConditions()) check.conditions.push_back(condition.text);
+  return check;
+}
+
+void SequencePlanner::judge(const ProductPtr& product, const PlanPtr& plan, const SequenceDemands& said, bool atOnce) {
+  drop();
+  stop_ = StopSource();
+  task_.start(
+      GLISSADE_TEXT("checking the sequence"),
+      [this, product, plan, said, stop = stop_.token()](const WorkWatch& watch) -> BackgroundTask::Delivery {
+        const PlanCheck check = checkOf(*plan, *product, said, {stop, watch.progressed});
+        if (stop.stopRequested()) return [] {};
+        return [this, plan, check] { emit judged(plan, check); };
+      },
+      atOnce);
+}
+
+void SequencePlanner::stop() {
+  if (!planning_) {
+    drop();
+    return;
+  }
+  stop_.requestStop();
+}
+
+void SequencePlanner::drop() {
+  ++request_;
+  planning_ = false;
+  stop_.requestStop();
+  task_.cancel();
+}
+
+}  // namespace glissade

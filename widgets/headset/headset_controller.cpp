@@ -1,0 +1,136 @@
+#include "widgets/headset/headset_controller.h"
+
+#include <QLocale>
+
+#include "widgets/openxr/picture_rate.h"
+
+namespace glissade {
+namespace {
+
+/// Position of the sign, below the sign of the head tracker.
+constexpr QPoint kSignPlace(10, 48);
+
+}  // namespace
+
+QString HeadsetController::troubleText(const HeadsetStatus& status) {
+  switch (status.trouble) {
+    case HeadsetTrouble::None: return tr("The headset is searched");
+    case HeadsetTrouble::NoDisplay:
+      return tr("A headset needs an X display with OpenGL, and there is none. It is tried again");
+    case HeadsetTrouble::NoRuntime:
+      return tr("No OpenXR runtime answers. Start the program of your headset; it is tried again");
+    case HeadsetTrouble::NoOpenGl:
+      return tr("The OpenXR runtime takes no pictures by OpenGL. Choose another one; it is tried again");
+    case HeadsetTrouble::NoHeadset: return tr("No headset is connected. Connect one; it is tried again");
+    case HeadsetTrouble::SessionLost: return tr("The headset was lost. Nothing else is lost, and it is searched again");
+    case HeadsetTrouble::RuntimeLost:
+      return tr("The OpenXR runtime has ended. Nothing else is lost, and it is searched again");
+    case HeadsetTrouble::Failed:
+      return tr("The headset does not work: %1. It is tried again").arg(QString::fromStdString(status.detail));
+  }
+  return {};
+}
+
+QString HeadsetController::textOf(const HeadsetStatus& status) {
+  switch (status.state) {
+    case HeadsetState::Off:
+    case HeadsetState::Running: return {};
+    case HeadsetState::Searching:
+    case HeadsetState::Lost: return troubleText(status);
+    case HeadsetState::Idle:
+      return tr("The headset %1 is connected. Put it on").arg(QString::fromStdString(status.name));
+    case HeadsetState::Left: return tr("The headset was left. Choose View > Headset to come back");
+  }
+  return {};
+}
+
+QString HeadsetController::textOf(const HeadsetFigures& figures) {
+  if (figures.drawCalls == 0) return tr("The headset has shown no pictures yet");
+  const QLocale locale;
+  return tr("A picture of an eye: %1 draw calls, %2 triangles, %3 ms to choose them, %4 ms in OpenGL; the scene is "
+            "simplified %5 of %6 times")
+      .arg(locale.toString(figures.drawCalls), locale.toString(static_cast<qlonglong>(figures.triangles)),
+           locale.toString(1e3 * figures.cullSeconds, 'f', 2), locale.toString(1e3 * figures.drawSeconds, 'f', 2))
+      .arg(figures.detailStep)
+      .arg(PictureRate::kSteps - 1);
+}
+
+HeadsetController::HeadsetController(const Workbench& bench)
+    : QObject(&bench.window), bench_(bench), sign_(new QLabel(bench.scene.widget())), headset_(bench.scene.headset()) {
+  sign_->setObjectName(QStringLiteral("headset-sign"));
+  sign_->setAutoFillBackground(true);
+  sign_->setMargin(6);
+  sign_->move(kSignPlace);
+  sign_->hide();
+  if (headset_ == nullptr) {
+    disable();
+    return;
+  }
+  headset_->setHands(bench.session.hand());
+  headset_->onChanged(
+      [this] { QMetaObject::invokeMethod(this, &HeadsetController::showStatus, Qt::QueuedConnection); });
+  connect(bench.actions["view.headset"], &QAction::toggled, this, &HeadsetController::setOn);
+  bench.onAction("headset.on-table", this, [this] { place(); });
+  bench.onAction("headset.figures", this, [this] { showFigures(); });
+  connect(&bench.document, &WorkbenchDocument::changed, this, [this](Changes what) {
+    if (what & Change::Scenario) place();  // only another scenario moves the person, not an edit
+  });
+  const auto showTheme = [this] { setBackground(); };
+  connect(bench.actions["view.dark"], &QAction::toggled, this, showTheme, Qt::QueuedConnection);
+}
+
+void HeadsetController::disable() {
+  for (const char* id : {"view.headset", "headset.on-table", "headset.panel-in-front", "headset.section",
+                         "headset.measure", "headset.left-handed", "headset.grip-alpha", "headset.figures"}) {
+    QAction* action = bench_.actions[QLatin1String(id)];
+    action->setEnabled(false);
+    action->setStatusTip(tr("This program was built without OpenXR, or there is no display"));
+    action->setToolTip(action->statusTip());
+  }
+}
+
+void HeadsetController::setOn(bool on) {
+  if (on) {
+    place();
+    headset_->start();
+  } else {
+    headset_->stop();
+  }
+  showStatus();
+}
+
+void HeadsetController::place() {
+  const bool onTable = bench_.actions["headset.on-table"]->isChecked();
+  const SceneView& view = bench_.scene.view();
+  headset_->setPlacement(placeRoom(view.extent(), onTable ? ProductSize::OnTable : ProductSize::True));
+  setBackground();
+}
+
+void HeadsetController::setBackground() {
+  const SceneView& view = bench_.scene.view();
+  headset_->setBackground(view.background(), view.backgroundBelow());
+}
+
+void HeadsetController::showStatus() {
+  const HeadsetStatus status = headset_->status();
+  if (status == shown_) return;
+  shown_ = status;
+  QAction& action = *bench_.actions["view.headset"];
+  if (status.state == HeadsetState::Left && action.isChecked()) {
+    const QSignalBlocker blocker(action);
+    action.setChecked(false);
+  }
+  const QString text = textOf(status);
+  sign_->setText(text);
+  sign_->adjustSize();
+  sign_->setVisible(!text.isEmpty() && status.state != HeadsetState::Left);
+  if (!text.isEmpty()) bench_.messages.showStatus(text);
+  if (status.state == HeadsetState::Running) {
+    bench_.messages.showStatus(tr("The scene is shown in the headset %1").arg(QString::fromStdString(status.name)));
+  }
+  bench_.scene.refresh();
+}
+
+void HeadsetController::showFigures() { bench_.messages.showStatus(textOf(headset_->figures())); }
+
+}  // namespace glissade

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QLabel>
+
+#include "widgets/workbench/workbench.h"
+
+namespace glissade {
+
+/// Shows the scene in a headset: starts and stops it, describes its state in words, and keeps the place where the
+/// person stands. While it is off, no thread runs.
+class HeadsetController final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit HeadsetController(const Workbench& bench);
+
+  /// Text about the state of the headset; empty while it shows pictures and while it is off.
+  static QString textOf(const HeadsetStatus& status);
+  /// Text about the cost of a picture.
+  static QString textOf(const HeadsetFigures& figures);
+
+ private:
+  static QString troubleText(const HeadsetStatus& status);
+  void disable();
+  void setOn(bool on);
+  void showStatus();
+  void showFigures();
+  void place();
+  void setBackground();
+
+  const Workbench& bench_;
+  QLabel* sign_;
+  HeadsetStatus shown_;
+  Headset* headset_;  ///< the scene's headset; null: the scene can have none
+};
+
+}  // namespace glissade

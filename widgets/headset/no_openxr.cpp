@@ -1,8 +1,0 @@
-// Replaces openxr_headset.cpp in a program that is built without OpenXR.
-#include "widgets/headset/openxr_headset.h"
-
-namespace glissade {
-
-std::unique_ptr<Headset> makeHeadset(SceneView& /*view*/) { return nullptr; }
-
-}  // namespace glissade

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <openxr/openxr.h>
+
+#include <array>
+#include <vector>
+
+#include "widgets/openxr/headset_runtime.h"
+#include "widgets/openxr/private_context.h"
+
+namespace glissade {
+
+/// Change of a session since the last poll().
+enum class SessionChange { Nothing, Began, Ended, Left, Lost };
+
+/// Both eyes at one time, in the room.
+using EyeViews = std::array<XrView, 2>;
+
+/// A session with the runtime: its states, its times, and the space of the room. Used on one thread, on which the
+/// context is current. Functions throw HeadsetFailure.
+class HeadsetSession {
+ public:
+  HeadsetSession(const HeadsetRuntime& runtime, const GlxHandles& handles);
+  ~HeadsetSession();
+  HeadsetSession(const HeadsetSession&) = delete;
+  HeadsetSession& operator=(const HeadsetSession&) = delete;
+
+  XrSession handle() const { return session_; }
+  /// The space of the room: y up, the origin on the floor.
+  XrSpace room() const { return room_; }
+  /// Takes events until one of them changes the session.
+  SessionChange poll();
+
+  /// Waits for the time of the next picture, which the runtime decides.
+  XrFrameState waitFrame();
+  void beginFrame();
+  /// Fills `views`; false if the head is not tracked.
+  bool locate(XrTime time, EyeViews& views) const;
+  /// Ends the picture; null: nothing is shown.
+  void endFrame(XrTime time, const XrCompositionLayerProjection* layer);
+
+ private:
+  void create(const GlxHandles& handles);
+  void makeRoom();
+  SessionChange take(const XrEventDataBuffer& event);
+  SessionChange change(XrSessionState state);
+
+  const HeadsetRuntime& runtime_;
+  XrSession session_ = XR_NULL_HANDLE;
+  XrSpace room_ = XR_NULL_HANDLE;
+};
+
+}  // namespace glissade

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QIcon>
+#include <QObject>
+
+#include <array>
+#include <map>
+#include <tuple>
+
+#include "widgets/document/sequence_planner.h"
+
+namespace glissade {
+
+/// Pictures of the bodies of a product, drawn on a worker and cached. Bodies with the same mesh, orientation and colour
+/// share one.
+class PartPictures final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit PartPictures(QObject* parent = nullptr) : QObject(parent) {}
+
+  /// Draws missing pictures; drawn() announces them. `atOnce`: they are drawn before this function returns. `pixels`:
+  /// width and height.
+  void draw(const ProductPtr& product, int pixels, bool atOnce);
+  /// Empty if it is not drawn yet.
+  QIcon of(const RigidBody& body) const;
+
+ signals:
+  void drawn();
+
+ private:
+  using Key = std::tuple<MeshPtr, std::array<double, 4>, Colour>;
+  static Key keyOf(const RigidBody& body);
+
+  std::map<Key, QIcon> icons_;
+  BackgroundTask task_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,242 @@
+#include "widgets/run/assist_controller.h"
+
+#include "engine/base/number_text.h"
+#include "engine/operator/device_registry.h"
+#include "engine/session/grown_roadmap.h"
+#include "widgets/controls/frame_name.h"
+#include "widgets/controls/length_text.h"
+#include "widgets/run/strategy_use.h"
+#include "widgets/scene3d/camera_controller.h"
+
+namespace glissade {
+namespace {
+
+/// Seconds of planning before the first offer of help; each later offer waits twice as long.
+constexpr double kFirstOffer = 5.0;
+
+/// The share of the work that searches a whole path; the rest searches gaps.
+constexpr double kWholeWay = 0.6;
+
+bool isPerson(const std::string& deviceId) {
+  const DeviceRegistry registry = makeDeviceRegistry();
+  const DeviceEntry* entry = registry.find(deviceId);
+  return entry != nullptr && !entry->simulated;
+}
+
+bool followsHand(const std::string& strategy) {
+  const PlannerRegistry registry = makePlannerRegistry();
+  const PlannerEntry* entry = registry.find(strategy);
+  return entry != nullptr && entry->usesOperator;
+}
+
+/// The search goes on without a path, or ended without one.
+bool isStuck(const SessionSnapshot& snapshot) {
+  return snapshot.run > 0 && !snapshot.path && (isRunning(snapshot) || searchFailed(snapshot));
+}
+
+}  // namespace
+
+HandHint::HandHint(const Workbench& bench) : bench_(bench), hint_(new SceneHint(bench.scene.widget())) {
+  bench.actions["layer.keys"]->setChecked(true);
+  connect(&bench.run, &ShownRun::changed, this, &HandHint::write);
+  connect(bench.actions["layer.keys"], &QAction::toggled, this, &HandHint::write);
+  connect(bench.actions["operator.camera"], &QAction::toggled, this, &HandHint::write);
+  connect(bench.actions["operator.frame"], &QAction::changed, this, &HandHint::write);
+}
+
+void HandHint::ask(const QString& text) {
+  asked_ = text;
+  write();
+}
+
+/// Writes the lines only if they changed; most snapshots change nothing.
+void HandHint::write() {
+  QStringList lines;
+  if (!asked_.isEmpty()) lines << asked_;
+  if (const QString line = keys(); !line.isEmpty()) lines << line;
+  const QString text = lines.join(QLatin1Char('\n'));
+  if (text == shown_) return;
+  shown_ = text;
+  hint_->write(text);
+}
+
+QString HandHint::keys() const {
+  const SnapshotPtr& snapshot = bench_.run.snapshot();
+  const std::string& device = bench_.session.deviceId();
+  const bool byKeys = device == "hand" || device == "keyboard";
+  if (!snapshot || !bench_.run.isLive() || !isRunning(*snapshot) || !byKeys) return {};
+  if (!bench_.actions["layer.keys"]->isChecked()) return {};
+  const auto key = [this](const char* id) {
+    return bench_.actions[QLatin1String(id)]->shortcut().toString(QKeySequence::NativeText);
+  };
+  const MotionFrame frame = bench_.session.hand()->keyboard.shaping.get().frame;
+  const QString keys = tr("A D W S Q E: move · J L I K U O: turn · Shift: slow · F: %1 · %2: camera · %3: help");
+  return keys.arg(frameName(frame), key("operator.camera"), key("assist.go"));
+}
+
+AssistController::AssistController(const Workbench& bench) : QObject(&bench.window), bench_(bench), hint_(bench) {
+  bench.onAction("assist.go", this, [this] { go(); });
+  bench.onAction("assist.show", this, [this] { find(Then::Show); });
+  for (const char* id : {"assist.go", "assist.show"}) bench.enable(id, false);
+  connect(&offers_, &BackgroundTask::failed, &bench.work, &WorkController::reportFailure);
+  connect(&bench.run, &ShownRun::changed, this, &AssistController::followRun);
+  connect(&bench.document, &WorkbenchDocument::changed, this, [this](Changes what) {
+    if (!(what & (Change::Scenario | Change::Arrangement))) return;
+    starting_ = false;
+    show(nullptr);
+  });
+  addCommands();
+}
+
+void AssistController::show(const HelpPlacesPtr& places) {
+  offers_.cancel();
+  places_ = places && !places->empty() ? places : nullptr;
+  chosen_ = 0;
+  taken_ = false;
+  draw();
+}
+
+void AssistController::choose(std::size_t place) {
+  chosen_ = place;
+  taken_ = false;
+  draw();
+}
+
+void AssistController::followRun(const SnapshotPtr& snapshot) {
+  const bool stuck = bench_.run.isLive() && isStuck(*snapshot);
+  for (const char* id : {"assist.go", "assist.show"}) bench_.enable(id, stuck);
+  if (starting_) {
+    if (bench_.session.isStarting() || snapshot->state == SessionState::Idle) return;
+    starting_ = false;
+    if (isRunning(*snapshot)) {
+      run_ = snapshot->run;
+      takeHand();
+    }
+  }
+  if (snapshot->run != run_) nextOffer_ = kFirstOffer;
+  if (places_ && (!stuck || snapshot->run != run_)) show(nullptr);
+  run_ = snapshot->run;
+  if (stuck) offerInTime(*snapshot);
+}
+
+void AssistController::offerInTime(const SessionSnapshot& snapshot) {
+  if (bench_.session.clock() == SessionClock::Lockstep || snapshot.state != SessionState::Planning) return;
+  if (taken_ || offers_.isBusy() || snapshot.planningSeconds < nextOffer_) return;
+  if (!isPerson(bench_.session.deviceId()) || !followsHand(snapshot.plannerId)) return;
+  offers_.start(GLISSADE_TEXT("looking for places to help"), search(Then::Show), false);
+}
+
+BackgroundTask::Work AssistController::search(Then then) {
+  return [this, then, scenario = bench_.document.scenario(),
+          shown = bench_.session.snapshot()](const WorkWatch& watch) -> BackgroundTask::Delivery {
+    const GrownRoadmap grown = grownRoadmap(*shown);
+    const Problem& problem = scenario->problem;
+    const auto wholeWay =
+        leastPenetration(problem, shown->parameters, shown->seed, kWholeWayBudget, watch.part(0.0, kWholeWay));
+    const auto places = std::make_shared<const std::vector<HelpPlace>>(
+        helpPlaces(problem, grown.nodes, grown.edges, shown->parameters, shown->seed, wholeWay, kHelpGaps, kGapBudget,
+                   watch.part(kWholeWay, 1.0)));
+    return [this, then, scenario, run = shown->run, places] {
+      if (bench_.document.scenario() != scenario || bench_.session.snapshot()->run != run || !bench_.run.isLive())
+        return;
+      nextOffer_ = 2.0 * bench_.session.snapshot()->planningSeconds;
+      show(places);
+      if (places->empty()) bench_.messages.showStatus(tr("No place to help was found."));
+      if (then == Then::Go && places_) go();
+    };
+  };
+}
+
+void AssistController::find(Then then) { bench_.work.run(tr("Looking for places to help"), search(then)); }
+
+/// Takes the hand to the chosen place, or to the next one if the hand was there already. After the last one it searches
+/// places again.
+void AssistController::go() {
+  if (!places_ || (taken_ && chosen_ + 1 == places_->size())) {
+    find(Then::Go);
+    return;
+  }
+  if (taken_) ++chosen_;
+  const SessionSnapshot& now = *bench_.session.snapshot();
+  if (isRunning(now) && isPerson(bench_.session.deviceId()) && followsHand(now.plannerId)) {
+    takeHand();
+  } else {
+    startByHand();
+  }
+}
+
+/// Starts a run by hand. A new run puts the object at the start, so the hand is taken to the place after that.
+void AssistController::startByHand() {
+  bench_.document.whenArranged([this] {
+    const HelpPlacesPtr places = places_;
+    const std::size_t chosen = chosen_;
+    bench_.session.post(command::Stop{});
+    if (!isPerson(bench_.session.deviceId())) bench_.session.setDevice("hand");
+    if (!followsHand(bench_.document.settings().strategy)) bench_.session.post(command::SetPlanner{"interactive"});
+    places_ = places;  // changing the device ended the session, which cleared places_
+    chosen_ = chosen;
+    starting_ = true;
+    bench_.session.post(command::Start{});
+  });
+}
+
+void AssistController::takeHand() {
+  offers_.cancel();
+  taken_ = true;
+  bench_.session.post(command::SetDevicePose{(*places_)[chosen_].fromStart});
+  bench_.scene.view().setPlaybackPose(std::nullopt);
+  draw();
+  look();
+  bench_.scene.widget()->setFocus();
+}
+
+void AssistController::look() {
+  const HelpPlace& place = (*places_)[chosen_];
+  Box3 box;
+  for (const Pose& q : {place.fromStart, place.narrowest, place.fromGoal}) {
+    box.extend(boundingBox(*bench_.document.scenario()->object.mesh, q));
+  }
+  bench_.scene.view().camera().zoomTo(box);
+  bench_.scene.refresh();
+  emit cameraMoved();
+}
+
+void AssistController::draw() {
+  bench_.scene.view().setHelp({places_, chosen_, taken_});
+  hint_.ask(places_ ? hintText() : QString());
+  bench_.scene.refresh();
+}
+
+QString AssistController::hintText() const {
+  const HelpPlace& place = (*places_)[chosen_];
+  const LoadedScenario& scenario = *bench_.document.scenario();
+  const QString which = tr("Place to help %1 of %2:").arg(chosen_ + 1).arg(places_->size());
+  QString lack = tr("no passage was found, even for a much thinner object.");
+  if (isOpen(place, scenario.problem.world->objectRadius())) {
+    lack = tr("the passage is open.");
+  } else if (place.lacking && place.body >= 0) {
+    const RigidBody& body = scenario.obstacles[static_cast<std::size_t>(place.body)];
+    lack = tr("the object is at most %1 too large at '%2'.")
+               .arg(lengthText(*place.lacking), QString::fromStdString(body.shown()));
+  } else if (place.lacking) {
+    lack = tr("the object is at most %1 too large.").arg(lengthText(*place.lacking));
+  }
+  const QString key = bench_.actions["assist.go"]->shortcut().toString(QKeySequence::NativeText);
+  const QString next =
+      taken_ ? tr("Lead it along the arrow; %1: next place.").arg(key) : tr("%1 takes your hand there.").arg(key);
+  return which + QLatin1Char(' ') + lack + QLatin1Char(' ') + next;
+}
+
+void AssistController::addCommands() {
+  bench_.scripts.add("expect-help", 2, [this](const ScriptCommands::Words& words) -> Outcome {
+    const auto count = toNumber(words[1]);
+    if (!count || (words[0] != "places" && words[0] != "taken")) {
+      return wrongCommand("expect-help needs 'places' or 'taken' and a number");
+    }
+    const std::size_t found = words[0] == "places" ? (places_ ? places_->size() : 0) : (taken_ ? chosen_ + 1 : 0);
+    if (static_cast<double>(found) == *count) return Done{};
+    return unmetExpectation(words[0] + " is " + std::to_string(found));
+  });
+}
+
+}  // namespace glissade

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "widgets/run/difficulty_panel.h"
+#include "widgets/workbench/scene_hint.h"
+#include "widgets/workbench/workbench.h"
+
+namespace glissade {
+
+/// The text over the scene for a person who steers: what the search needs from the hand, and the keys during a run by
+/// hand.
+class HandHint final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit HandHint(const Workbench& bench);
+
+  /// Shows a request to the person; empty: none.
+  void ask(const QString& text);
+
+ private:
+  void write();
+  QString keys() const;
+
+  const Workbench& bench_;
+  SceneHint* hint_;
+  QString asked_;
+  QString shown_;
+};
+
+/// Offers the places where a search is stuck, and takes the hand and the view there. It does so in a run that uses the
+/// hand, or in a new run if the last one found no path or had no hand. On screen, a run by hand that does not end shows
+/// the offers unasked.
+class AssistController final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit AssistController(const Workbench& bench);
+
+  /// Shows the places of this run; null or empty: none.
+  void show(const HelpPlacesPtr& places);
+  /// Chooses the place to which assist.go takes the hand next.
+  void choose(std::size_t place);
+
+ signals:
+  /// The camera was moved.
+  void cameraMoved();
+
+ private:
+  enum class Then { Show, Go };
+
+  void followRun(const SnapshotPtr& snapshot);
+  void offerInTime(const SessionSnapshot& snapshot);
+  BackgroundTask::Work search(Then then);
+  void find(Then then);
+  void go();
+  void startByHand();
+  void takeHand();
+  void look();
+  void draw();
+  QString hintText() const;
+  void addCommands();
+
+  const Workbench& bench_;
+  HandHint hint_;
+  BackgroundTask offers_;
+  HelpPlacesPtr places_;    ///< null: none is shown
+  std::size_t chosen_ = 0;  ///< index in places_
+  bool taken_ = false;      ///< the hand was taken to the chosen place
+  bool starting_ = false;   ///< a run by hand starts; the hand is taken to the chosen place once it runs
+  std::uint64_t run_ = 0;   ///< the run that is followed
+  double nextOffer_ = 0.0;  ///< seconds of planning
+};
+
+}  // namespace glissade

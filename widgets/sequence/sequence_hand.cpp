@@ -1,0 +1,159 @@
+#include "widgets/sequence/sequence_hand.h"
+
+#include <QAction>
+#include <algorithm>
+
+#include "engine/files/hand_run.h"
+#include "engine/planning/smoothing/shortcuts.h"
+#include "engine/sequence/demand_conflicts.h"
+#include "engine/sequence/demand_edits.h"
+#include "widgets/sequence/sequence_controller.h"
+#include "widgets/sequence/sequence_edits.h"
+
+namespace glissade {
+SequenceHand::SequenceHand(const Workbench& bench, SequenceController& sequence)
+    : QObject(&sequence), bench_(bench), sequence_(sequence) {
+  bench.onAction("sequence.by-hand", this, [this] { begin(); });
+  bench.onAction("sequence.take-path", this, [this] { takePath(); });
+  bench.onAction("sequence.leave-hand", this, [this] { goBack({}); });
+  connect(&bench.document, &WorkbenchDocument::changed, this, &SequenceHand::followDocument);
+  connect(&bench.document.undoStack(), &QUndoStack::indexChanged, this, &SequenceHand::followUndo);
+  connect(sequence.panel(), &SequencePanel::selectionChanged, this, &SequenceHand::enableActions);
+  enableActions();
+}
+
+void SequenceHand::begin() {
+  SequencePanel& panel = *sequence_.panel();
+  const ShownPlan shown = sequence_.shown();
+  Run run{shown, {panel.chosenStuck()}, panel.chosenStep()};
+  const auto& steps = shown.plan->steps;
+  if (run.step) run.bodies = steps[*run.step].bodies();
+  std::vector<std::string> gone;
+  for (std::size_t i = 0; i < run.step.value_or(steps.size()); ++i) {
+    for (const std::string& id : steps[i].bodies()) gone.push_back(id);
+  }
+  run_ = run;
+  const auto joints = run.step ? steps[*run.step].joints : std::vector<StepJoint>();
+  const auto change = [this, bodies = run.bodies, gone, joints](Scenario& scenario) {
+    return prepareHandRun(bodies, gone, *bench_.document.scenario(), joints, scenario);
+  };
+  const Outcome edited = bench_.document.editTemporarily(tr("Move %1 by hand").arg(nameOf(run)), change);
+  if (!edited) {
+    run_.reset();
+    bench_.messages.showError(tr("The step cannot be moved by hand"), edited.error());
+    enableActions();
+    return;
+  }
+  bench_.document.whenArranged([this] { noteBegun(); });
+}
+
+QString SequenceHand::nameOf(const Run& run) const { return joinedNames(run.bodies, *run.plan.product); }
+
+bool SequenceHand::hasObject() const {
+  const std::vector<RigidBody>& object = bench_.document.scenario()->objectBodies;
+  return object.size() == run_->bodies.size() &&
+         std::all_of(object.begin(), object.end(), [this](const RigidBody& body) {
+           return std::find(run_->bodies.begin(), run_->bodies.end(), body.id) != run_->bodies.end();
+         });
+}
+
+void SequenceHand::noteBegun() {
+  if (!run_ || run_->begun) return;
+  if (!hasObject()) {  // the edit failed and was reported
+    run_.reset();
+  } else {
+    run_->begun = true;
+    bench_.document.semantics().select({});  // the marks of blocking bodies would hide the part in the hand
+    bench_.scene.widget()->setFocus();       // for the keys that move the part
+    sequence_.panel()->setNotice(
+        tr("You move %1 by hand, among the parts that are present at its step. Start (F5) begins a run. Its certified "
+           "path becomes the step.")
+            .arg(nameOf(*run_)));
+  }
+  enableActions();
+}
+
+void SequenceHand::followDocument(Changes what) {
+  if (!run_) return;
+  if (what & Change::Scenario) {
+    run_.reset();
+    sequence_.panel()->setNotice({});
+  } else if ((what & Change::Results) && run_->begun && bench_.document.results().path) {
+    followPath();
+  }
+  enableActions();
+}
+
+void SequenceHand::followPath() {
+  if (bench_.document.results().smoothed) {
+    // Taking the path ends the session that announces it, so it is taken later.
+    QMetaObject::invokeMethod(this, &SequenceHand::takePath, Qt::QueuedConnection);
+  } else if (!run_->smoothing) {
+    run_->smoothing = true;
+    bench_.session.post(command::SmoothPath{kUsualShortcuts});
+  }
+}
+
+/// Ends the run after a person has undone its scenario.
+void SequenceHand::followUndo() {
+  if (!run_ || !run_->begun || goingBack_ || bench_.document.isTemporary()) return;
+  run_.reset();
+  sequence_.panel()->setNotice({});
+  sequence_.showRemembered();
+  enableActions();
+}
+
+void SequenceHand::goBack(const std::function<void()>& then) {
+  if (!run_ || !run_->begun || goingBack_) return;
+  goingBack_ = true;
+  bench_.session.forgetPath();  // the path belongs to other bodies
+  bench_.document.endTemporary();
+  bench_.document.whenArranged([this, then] {
+    goingBack_ = false;
+    run_.reset();
+    sequence_.panel()->setNotice({});
+    sequence_.bringToFront();  // the run had raised the panel of its path
+    if (then) then();
+    enableActions();
+  });
+}
+
+void SequenceHand::takePath() {
+  const std::shared_ptr<const Path> path = bench_.document.results().path;
+  if (!run_ || !run_->begun || goingBack_ || !path || path->points.size() < 2) return;
+  if (!hasObject()) return;
+  const ShownPlan& shown = run_->plan;
+  std::vector<RigidBody> bodies;
+  for (const std::string& id : run_->bodies) bodies.push_back(shown.product->bodies[*shown.product->indexOf(id)]);
+  const DemandedMotion motion = motionOfRun(bodies, path->points, bench_.document.results().provenance);
+  const SequenceDemands& present = bench_.document.demands();
+  const DemandConflict conflict = conflictBetween(present, withMotion(motion, present));
+  const bool taken = conflict.isNone() || bench_.messages.isNewDemandPreferred(
+                                              tr("The path leaves in a forbidden direction"), inWords(conflict));
+  if (!taken) return;
+  const auto step = run_->step;
+  const QString name = nameOf(*run_);
+  const PlanPtr plan = shown.plan;
+  goBack([this, motion, conflict, step, plan, name] {
+    SequenceDemands demands = bench_.document.demands();
+    sequence_.chooseLater(motion.bodies.front());
+    if (step) demands = withStepMoved(*step, *step, *plan, std::move(demands));
+    demands = withoutEarlier(conflict, std::move(demands));
+    const bool byHand = motion.method == kByHand;
+    bench_.document.setDemands(byHand ? tr("%1 by hand").arg(name) : tr("Path of %1").arg(name),
+                               withMotion(motion, std::move(demands)));
+    bench_.messages.showStatus(byHand ? tr("The path by hand is the motion of %1.").arg(name)
+                                      : tr("The path that the computer found is the motion of %1.").arg(name));
+  });
+}
+
+void SequenceHand::enableActions() {
+  const SequencePanel& panel = *sequence_.panel();
+  const bool chosen = panel.chosenStep() || !panel.chosenStuck().empty();
+  const bool active = run_ && run_->begun;
+  bench_.enable("sequence.by-hand", !run_ && sequence_.isEditable() && chosen);
+  bench_.enable("sequence.take-path", active && bench_.document.results().path != nullptr);
+  bench_.enable("sequence.leave-hand", active);
+}
+
+}  // namespace glissade

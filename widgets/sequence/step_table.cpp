@@ -1,0 +1,386 @@
+#include "widgets/sequence/step_table.h"
+
+#include <QAction>
+#include <QDropEvent>
+#include <QEvent>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLocale>
+#include <QScrollBar>
+#include <QSignalBlocker>
+#include <QStyle>
+#include <QStyledItemDelegate>
+
+#include <algorithm>
+#include <climits>
+
+#include "engine/sequence/demand_edits.h"
+#include "engine/study/plan_tasks.h"
+#include "widgets/controls/diagnostic_text.h"
+#include "widgets/controls/length_text.h"
+#include "widgets/controls/quiet_focus.h"
+#include "widgets/controls/window_language.h"
+#include "widgets/sequence/access_texts.h"
+
+namespace glissade {
+namespace {
+
+enum StepColumn { StepNumber, StepPart, StepGaps, StepTools, StepState, StepColumns };
+
+constexpr int kStepRole = Qt::UserRole;         // index in the plan
+constexpr int kStuckRole = Qt::UserRole + 1;    // id of a stuck part
+constexpr int kPictureRole = Qt::UserRole + 2;  // id of the body in the picture
+constexpr int kPartColumn = 184;
+constexpr int kLeastPartColumn = 120;
+constexpr int kLeastToolColumn = 48;
+constexpr int kPictureSize = 32;
+constexpr int kWrappedMargin = 16;  ///< about the text beside a picture, and between both
+
+QString twoLines(const QString& upper, const QString& lower) { return upper + QLatin1Char('\n') + lower; }
+
+/// The text as a sentence: "No motion was found." for "no motion was found".
+QString sentence(const QString& text) {
+  return text.left(1).toUpper() + text.mid(1) + (text.endsWith(QLatin1Char('.')) ? QString() : QStringLiteral("."));
+}
+
+QString joinedTexts(const std::vector<std::string>& texts, const QString& separator) {
+  QStringList list;
+  for (const std::string& text : texts) list << QString::fromStdString(text);
+  return list.join(separator);
+}
+
+QString largestAllowanceText(const AssemblyStep& step) {
+  double largest = 0.0;
+  for (const StepAllowance& allowance : step.allowances) largest = std::max(largest, allowance.allowance);
+  return largest > 0.0 ? columnLengthText(largest) : QStringLiteral("–");
+}
+
+QString checkText(StepCheck check) {
+  switch (check) {
+    case StepCheck::NotAsked: return StepTable::tr("certified");
+    case StepCheck::Agrees: return StepTable::tr("✓ proved");
+    case StepCheck::Disagrees: break;
+  }
+  return StepTable::tr("✗ not here");
+}
+
+QString checkTip(StepCheck check) {
+  switch (check) {
+    case StepCheck::NotAsked: return StepTable::tr("certified when it was found");
+    case StepCheck::Agrees: return StepTable::tr("proved again by the independent check");
+    case StepCheck::Disagrees: break;
+  }
+  return StepTable::tr("does not hold in this arrangement");
+}
+
+/// Shows the beginning of texts that are too long.
+class BeginningDelegate final : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+ protected:
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+    QStyledItemDelegate::initStyleOption(option, index);
+    option->textElideMode = Qt::ElideRight;
+  }
+};
+
+/// Shows rows of stuck parts, whose texts have as many lines as they need.
+class WrappedDelegate final : public QStyledItemDelegate {
+ public:
+  explicit WrappedDelegate(QTreeView* table) : QStyledItemDelegate(table), table_(table) {}
+
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    QSize size = QStyledItemDelegate::sizeHint(option, index);
+    if (!index.data(kStuckRole).isValid()) return size;
+    const int width = table_->viewport()->width() - table_->iconSize().width() - kWrappedMargin;
+    const QRect box = table_->fontMetrics().boundingRect(QRect(0, 0, std::max(1, width), INT_MAX / 2), Qt::TextWordWrap,
+                                                         index.data().toString());
+    return {size.width(), std::max(size.height(), box.height() + kWrappedMargin / 2)};
+  }
+
+ protected:
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+    QStyledItemDelegate::initStyleOption(option, index);
+    if (index.data(kStuckRole).isValid()) option->features |= QStyleOptionViewItem::WrapText;
+  }
+
+ private:
+  QTreeView* table_;
+};
+
+/// A person's changes of the step: "locked", "by hand".
+QString markOf(const StepDemands& demands, const AssemblyStep& step) {
+  QStringList marks;
+  if (step.method == kByHand) marks << StepTable::tr("by hand");
+  if (demands.isLocked()) {
+    marks << StepTable::tr("locked");
+  } else if (demands.place != nullptr) {
+    marks << StepTable::tr("placed");
+  }
+  return marks.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+PlanWords windowPlanWords() {
+  return PlanWords(windowLanguage(), [](double metres) { return lengthText(metres).toStdString(); });
+}
+
+StepTable::StepTable(IconOf iconOf, QWidget* parent) : QTreeWidget(parent), iconOf_(std::move(iconOf)) {
+  setObjectName(QStringLiteral("sequence"));
+  keepUnchosen(*this);
+  setColumnCount(StepColumns);
+  setHeaderLabels({tr("No."), twoLines(tr("Part"), tr("Motion")), twoLines(tr("Clearance"), tr("Allowance")),
+                   twoLines(tr("Tool"), tr("Standing")), tr("State")});
+  headerItem()->setToolTip(StepGaps, tr("Above: smallest distance to other parts. Below: the largest allowance of the "
+                                        "step; its tool tip lists all"));
+  headerItem()->setToolTip(StepTools, tr("Above: the tool that turns the fastener, and what it cannot be brought past. "
+                                         "Below: parts that would tip or fall, or what a forced step does not keep"));
+  headerItem()->setToolTip(StepState,
+                           tr("Above: whether the motion is proved. Below: what a person has done to the step"));
+  setRootIsDecorated(false);
+  setAlternatingRowColors(true);
+  setIconSize({kPictureSize, kPictureSize});
+  setTextElideMode(Qt::ElideMiddle);
+  setItemDelegateForColumn(StepNumber, new WrappedDelegate(this));
+  setItemDelegateForColumn(StepTools, new BeginningDelegate(this));
+  setAccessibleName(tr("Steps of the sequence"));
+  header()->setSectionResizeMode(QHeaderView::Interactive);
+  header()->setMinimumSectionSize(20);
+  setSelectionMode(QAbstractItemView::ExtendedSelection);
+  setDragDropMode(QAbstractItemView::InternalMove);
+  setDropIndicatorShown(true);
+}
+
+QString StepTable::nameOf(const std::string& id) const {
+  const auto body = shown_.product->indexOf(id);
+  return QString::fromStdString(body ? shown_.product->bodies[*body].name : id);
+}
+
+/// The names of the bodies, one on each line.
+QString StepTable::allNames(const std::vector<std::string>& ids) const {
+  QStringList names;
+  for (const std::string& id : ids) names << nameOf(id);
+  return names.join(QLatin1Char('\n'));
+}
+
+QString StepTable::shortNames(const std::vector<std::string>& ids) const {
+  QStringList names;
+  for (const std::string& id : ids) names << QString::fromStdString(shownNameOf(id, *shown_.product));
+  return names.join(QStringLiteral(", "));
+}
+
+void StepTable::show(const ShownPlan& shown, PlanOrder order) {
+  const QSignalBlocker block(this);
+  const int scrolled = verticalScrollBar()->value();
+  shown_ = shown;
+  order_ = order;
+  clear();
+  const std::size_t steps = shown.plan ? shown.plan->steps.size() : 0;
+  for (std::size_t place = 0; place < steps; ++place) addStep(place);
+  if (shown.plan && !shown.growing) {
+    for (const StuckBody& stuck : shown.plan->stuck) addStuck(stuck);
+  }
+  fitColumns();
+  verticalScrollBar()->setValue(shown.growing ? verticalScrollBar()->maximum() : scrolled);
+  setDragEnabled(!shown.growing);
+}
+
+/// Makes the state visible without scrolling; names of parts and tools are cut if there is little room.
+void StepTable::fitColumns() {
+  for (const int column : {StepNumber, StepGaps}) resizeColumnToContents(column);
+  // The last column takes the remaining width, which says nothing about its contents.
+  const int state = std::max(sizeHintForColumn(StepState), header()->sectionSizeHint(StepState));
+  const int used = columnWidth(StepNumber) + columnWidth(StepGaps) + state;
+  const int inside = width() - 2 * frameWidth() - style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+  const int left = inside - used;
+  const int part = std::clamp(left - columnWidth(StepGaps), kLeastPartColumn, kPartColumn);
+  setColumnWidth(StepPart, part);
+  setColumnWidth(StepTools, std::max(kLeastToolColumn, left - part));
+  setColumnWidth(StepState, state);
+}
+
+void StepTable::setIcon(QTreeWidgetItem& row, const std::string& bodyId) {
+  row.setData(StepNumber, kPictureRole, QString::fromStdString(bodyId));
+  const auto body = shown_.product->indexOf(bodyId);
+  const int column = row.isFirstColumnSpanned() ? StepNumber : StepPart;
+  if (body) row.setIcon(column, iconOf_(shown_.product->bodies[*body]));
+}
+
+void StepTable::takeIcons() {
+  for (int i = 0; i < topLevelItemCount(); ++i) {
+    QTreeWidgetItem* row = topLevelItem(i);
+    setIcon(*row, row->data(StepNumber, kPictureRole).toString().toStdString());
+  }
+}
+
+void StepTable::addStep(std::size_t place) {
+  const PlanWords words = windowPlanWords();
+  const auto& steps = shown_.plan->steps;
+  const std::size_t i = order_ == PlanOrder::Assembly ? steps.size() - 1 - place : place;
+  const AssemblyStep& step = steps[i];
+  auto* row = new QTreeWidgetItem(this);
+  row->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled);
+  row->setData(StepNumber, kStepRole, static_cast<qulonglong>(i));
+  // The number in the order of assembly is not known while the plan grows.
+  if (!shown_.growing) {
+    row->setText(StepNumber, QString::fromStdString(stepNumber(steps.size() - 1 - i)));
+  }
+  row->setTextAlignment(StepNumber, Qt::AlignRight | Qt::AlignVCenter);
+  setIcon(*row, step.body);
+  const QString motion = QString::fromStdString(words.motion(step, order_));
+  const QString work = QString::fromStdString(words.work(step, *shown_.product, order_));
+  row->setText(StepPart, twoLines(QString::fromStdString(nameOfStep(step, *shown_.product)), work));
+  const QString told = work == motion ? motion : twoLines(work, motion);
+  row->setToolTip(StepPart, twoLines(allNames(step.bodies()), told));
+  const bool isNear = !step.proof.nearest.empty();
+  row->setText(StepGaps, twoLines(isNear ? columnLengthText(step.proof.minClearance) : QStringLiteral("–"),
+                                  largestAllowanceText(step)));
+  row->setTextAlignment(StepGaps, Qt::AlignRight | Qt::AlignVCenter);
+  QStringList gaps;
+  if (isNear) {
+    gaps << tr("proved %1; smallest %2 to %3")
+                .arg(lengthText(step.proof.provedClearance), lengthText(step.proof.minClearance),
+                     nameOf(step.proof.nearest));
+  }
+  gaps << joinedTexts(words.allowances(step, *shown_.product), QStringLiteral("\n"));
+  row->setToolTip(StepGaps, gaps.join(QLatin1Char('\n')));
+  const QString forced = joinedTexts(words.violations(step, *shown_.product), QStringLiteral("; "));
+  const QString standing = QString::fromStdString(words.standing(step, *shown_.product));
+  row->setText(StepTools, twoLines(QString::fromStdString(words.tool(step, *shown_.product)),
+                                   forced.isEmpty() ? standing : tr("forced: %1").arg(forced)));
+  if (!forced.isEmpty()) row->setForeground(StepTools, palette().brush(QPalette::BrightText));
+  row->setToolTip(StepTools, (QStringList{row->text(StepTools), allNames(step.tool.blockedBy), allNames(step.falling)})
+                                 .join(QLatin1Char('\n'))
+                                 .trimmed());
+  const auto after = i < shown_.foundAfter.size() ? shown_.foundAfter[i] : std::nullopt;
+  const auto& checks = shown_.check.steps;
+  const StepCheck check = i < checks.size() ? checks[i] : StepCheck::NotAsked;
+  const MotionAccess* access = shown_.access ? &shown_.access->steps[i] : nullptr;
+  const QStringList inside = access != nullptr ? unreachedInside(i) : QStringList();
+  QStringList marks{access != nullptr ? accessMark(*access) : QString(),
+                    inside.isEmpty() ? QString() : tr("%n inside not reached", "", inside.size()),
+                    markOf(demandsOn(step.bodies(), shown_.plan->demands), step)};
+  marks.removeAll(QString());
+  row->setText(StepState, twoLines(checkText(check), marks.join(QStringLiteral(", "))));
+  QStringList tips{checkTip(check), tr("found by %1").arg(engineText(methodInWords(step.method)))};
+  if (access != nullptr) tips << accessText(*access, shown_.product->bodies) << inside;
+  if (after) tips << tr("found after %1 s of computing").arg(QLocale().toString(*after, 'f', 1));
+  row->setToolTip(StepState, tips.join(QLatin1Char('\n')));
+}
+
+/// A line for each step inside the groups of a step that the hand does not reach, or that cannot be seen.
+QStringList StepTable::unreachedInside(std::size_t step) const {
+  QStringList texts;
+  const auto& lines = shown_.plan->lines;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines[i].step == step + 1) addUnreached(lines[i], shown_.access->lines[i], texts);
+  }
+  return texts;
+}
+
+void StepTable::addUnreached(const SubassemblyLine& line, const LineAccess& access, QStringList& texts) const {
+  for (std::size_t i = 0; i < access.steps.size(); ++i) {
+    if (access.steps[i].isReachedAndSeen()) continue;
+    texts << tr("%1, in its group: %2")
+                 .arg(QString::fromStdString(nameOfStep(line.steps[i], *shown_.product)),
+                      accessText(access.steps[i], shown_.product->bodies));
+  }
+  for (std::size_t i = 0; i < access.lines.size(); ++i) addUnreached(line.lines[i], access.lines[i], texts);
+}
+
+/// Adds a row with the full reason and the next action, over all columns.
+void StepTable::addStuck(const StuckBody& stuck) {
+  auto* row = new QTreeWidgetItem(this);
+  row->setFirstColumnSpanned(true);
+  row->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+  row->setData(StepNumber, kStuckRole, QString::fromStdString(stuck.body));
+  setIcon(*row, stuck.body);
+  QStringList sentences{tr("%1 is stuck.").arg(shortNames({stuck.body}))};
+  if (!stuck.blockedBy.empty()) sentences << tr("Blocked by %1.").arg(shortNames(stuck.blockedBy));
+  if (!stuck.reason.empty()) sentences << sentence(engineText(stuck.reason));
+  sentences << tr("Next: move it by hand (menu of the row), or look at the order as a graph.");
+  row->setText(StepNumber, sentences.join(QLatin1Char(' ')));
+  row->setToolTip(StepNumber, twoLines(nameOf(stuck.body), allNames(stuck.blockedBy)).trimmed());
+}
+
+void StepTable::resizeEvent(QResizeEvent* event) {
+  QTreeWidget::resizeEvent(event);
+  fitColumns();
+  scheduleDelayedItemsLayout();  // wraps the texts of stuck parts
+}
+
+std::optional<std::size_t> StepTable::stepOf(const QTreeWidgetItem* row) {
+  if (row == nullptr || !row->data(StepNumber, kStepRole).isValid()) return std::nullopt;
+  return static_cast<std::size_t>(row->data(StepNumber, kStepRole).toULongLong());
+}
+
+std::string StepTable::stuckOf(const QTreeWidgetItem* row) {
+  return row == nullptr ? std::string() : row->data(StepNumber, kStuckRole).toString().toStdString();
+}
+
+QTreeWidgetItem* StepTable::rowOf(std::size_t step) const {
+  for (int i = 0; i < topLevelItemCount(); ++i) {
+    if (stepOf(topLevelItem(i)) == step) return topLevelItem(i);
+  }
+  return nullptr;
+}
+
+QString StepTable::textOf(std::size_t step) const {
+  const QTreeWidgetItem* row = rowOf(step);
+  QStringList texts;
+  for (int column = 0; row != nullptr && column < StepColumns; ++column) texts << row->text(column);
+  return texts.join(QLatin1Char('\n'));
+}
+
+std::vector<std::size_t> StepTable::selectedSteps() const {
+  std::vector<std::size_t> steps;
+  for (const QTreeWidgetItem* row : selectedItems()) {
+    if (const auto step = stepOf(row)) steps.push_back(*step);
+  }
+  std::sort(steps.begin(), steps.end());
+  return steps;
+}
+
+/// Shows the plan again with new texts and colours.
+void StepTable::changeEvent(QEvent* event) {
+  QTreeWidget::changeEvent(event);
+  const bool isRead = event->type() == QEvent::LocaleChange || event->type() == QEvent::PaletteChange;
+  if (isRead && shown_.plan) show(ShownPlan(shown_), order_);
+}
+
+void StepTable::dropEvent(QDropEvent* event) {
+  event->setDropAction(Qt::IgnoreAction);
+  event->accept();
+  dropAt(event->pos());
+}
+
+/// Keys of commands never move the selection. The table would receive them while a command is disabled, and from the
+/// keypad, whose keys have a modifier that shortcuts do not match.
+void StepTable::keyPressEvent(QKeyEvent* event) {
+  const int modifiers = static_cast<int>(event->modifiers() & ~Qt::KeypadModifier);
+  const QKeySequence keys(event->key() | modifiers);
+  for (QAction* action : actions()) {
+    if (modifiers == 0 || action->shortcut() != keys) continue;
+    if (action->isEnabled()) action->trigger();  // trigger() does not ask for this
+    return;
+  }
+  QTreeWidget::keyPressEvent(event);
+}
+
+void StepTable::dropAt(const QPoint& place) {
+  const auto from = stepOf(currentItem());
+  if (!from) return;
+  QTreeWidgetItem* target = itemAt(place);
+  const bool below = target != nullptr && place.y() > visualItemRect(target).center().y();
+  const int row = target == nullptr ? topLevelItemCount() : indexOfTopLevelItem(target);
+  const int own = indexOfTopLevelItem(currentItem());
+  int to = row + (below ? 1 : 0);  // row before which it is inserted
+  if (to > own) --to;
+  const auto steps = static_cast<int>(shown_.plan->steps.size());
+  const auto there = stepOf(topLevelItem(std::clamp(to, 0, steps - 1)));
+  if (there && *there != *from) emit stepDragged(static_cast<int>(*from), static_cast<int>(*there));
+}
+
+}  // namespace glissade

@@ -1,0 +1,49 @@
+#include "widgets/workbench/messages.h"
+
+#include <QCoreApplication>
+#include <QPushButton>
+#include <QStatusBar>
+
+#include "widgets/controls/diagnostic_text.h"
+#include "widgets/controls/plain_message_box.h"
+
+namespace glissade {
+namespace {
+
+constexpr int kStatusMilliseconds = 10000;
+
+}  // namespace
+
+void Messages::showError(const QString& title, const Diagnostic& why) {
+  const QString file = why.file.empty() ? QString() : QString::fromStdString(why.file) + QStringLiteral(": ");
+  log_.add(LogLevel::Error, title + QStringLiteral(": ") + file + diagnosticText(why));
+  if (quiet_) return;
+  QString details;
+  for (const QString& part : {QString::fromStdString(why.file), engineText(why.location), engineText(why.reason)}) {
+    if (!part.isEmpty()) details += (details.isEmpty() ? "" : "\n") + part;
+  }
+  if (!why.advice.empty()) details += QStringLiteral("\n\n") + engineText(why.advice);
+  PlainMessageBox box(QMessageBox::Warning, title, title, details, &window_);
+  box.setStandardButtons(QMessageBox::Ok);
+  box.exec();
+}
+
+bool Messages::isNewDemandPreferred(const QString& title, const Diagnostic& conflict) {
+  if (quiet_) {
+    showError(title, conflict);
+    return false;
+  }
+  PlainMessageBox box(QMessageBox::Question, title, title, engineText(conflict.reason), &window_);
+  box.addButton(QCoreApplication::translate("Messages", "&Keep the earlier demand"), QMessageBox::RejectRole);
+  const QPushButton* newer = box.addButton(QCoreApplication::translate("Messages", "&Remove it and take the new one"),
+                                           QMessageBox::AcceptRole);
+  box.exec();
+  return box.clickedButton() == newer;
+}
+
+void Messages::showStatus(const QString& text) {
+  log_.add(LogLevel::Information, text);
+  window_.statusBar()->showMessage(text, kStatusMilliseconds);
+}
+
+}  // namespace glissade

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <QPointF>
+
+#include <optional>
+
+#include "widgets/scene3d/scene_pick.h"
+#include "widgets/workbench/workbench.h"
+
+namespace glissade {
+
+/// The item at a point of the scene widget.
+struct SceneTarget {
+  int place = kNoPlace;         ///< the place, if places are shown
+  std::optional<QString> body;  ///< id of the obstacle, if places are not shown
+  bool isObject = false;        ///< the object is in front of obstacles at this point
+};
+
+/// Precondition: a scenario is open.
+SceneTarget targetAt(const Workbench& bench, const QPointF& position);
+
+}  // namespace glissade

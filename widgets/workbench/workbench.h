@@ -1,0 +1,36 @@
+#pragma once
+
+#include "widgets/controls/action_catalogue.h"
+#include "widgets/document/session_bridge.h"
+#include "widgets/document/workbench_document.h"
+#include "widgets/scene3d/scene_widget.h"
+#include "widgets/workbench/file_dialogs.h"
+#include "widgets/workbench/messages.h"
+#include "widgets/workbench/script_commands.h"
+#include "widgets/workbench/shown_run.h"
+#include "widgets/workbench/work_controller.h"
+
+namespace glissade {
+
+/// Objects that the controllers of the window share. The window owns them; they outlive the controllers.
+struct Workbench {
+  WorkbenchDocument& document;
+  SessionBridge& session;
+  ShownRun& run;
+  SceneWidget& scene;
+  ActionCatalogue& actions;
+  WorkController& work;
+  Messages& messages;
+  ScriptCommands& scripts;
+  FileDialogs& dialogs;
+  QMainWindow& window;  ///< parent of panels and dialogs
+
+  /// Calls `handler` when the action is triggered, as long as `context` lives.
+  template <class Handler>
+  void onAction(const char* id, QObject* context, Handler handler) const {
+    QObject::connect(actions[QLatin1String(id)], &QAction::triggered, context, handler);
+  }
+  void enable(const char* id, bool enabled) const { actions[QLatin1String(id)]->setEnabled(enabled); }
+};
+
+}  // namespace glissade
