@@ -247,6 +247,67 @@ TEST(Architecture, WidgetsDoNotKnowTheApplication) {
   }
 }
 
+/// The folder of a file of the window: "sequence" for "widgets/sequence/x.h".
+std::string featureOf(const std::string& path) {
+  static const std::regex pattern(R"(^widgets/([a-z0-9]+)/)");
+  std::smatch match;
+  return std::regex_search(path, match, pattern) ? match[1].str() : "";
+}
+
+/// The folders below the features, and what each of them may use.
+const std::map<std::string, std::set<std::string>>& sharedFolders() {
+  static const std::map<std::string, std::set<std::string>> shared{
+      {"controls", {}},
+      {"openxr", {"controls", "scene3d"}},
+      {"scene3d", {"controls", "openxr"}},
+      {"plots", {"controls"}},
+      {"document", {"controls"}},
+      {"workbench", {"controls", "scene3d", "openxr", "plots", "document"}},
+  };
+  return shared;
+}
+
+/// The headers by which features use each other.
+const std::map<std::string, std::set<std::string>>& interfacesOfFeatures() {
+  static const std::map<std::string, std::set<std::string>> interfaces{
+      {"arrange", {"measure/measure_controller.h", "product/assembly_controller.h"}},
+      {"files", {"paths/path_controller.h", "product/part_import.h"}},
+      {"headset",
+       {"devices/device_settings.h", "measure/measure_controller.h", "run/parameter_sliders.h", "run/strategy_use.h",
+        "run/refusal_controller.h", "section/section_controller.h", "sequence/sequence_controller.h"}},
+      {"help", {"devices/keyboard_steering.h", "files/sample_scenarios.h"}},
+      {"instruction", {"studies/plot_object.h"}},
+      {"paths", {"film/film_dialog.h", "film/film_job.h", "instruction/report_file.h"}},
+      {"run", {"files/file_controller.h", "places/rules_dialog.h"}},
+      {"section", {"measure/measure_controller.h"}},
+      {"sequence",
+       {"film/film_dialog.h", "film/film_job.h", "instruction/instruction_painter.h", "instruction/report_file.h",
+        "paths/path_panel.h", "product/part_pictures.h"}},
+      {"studies", {"files/file_controller.h", "instruction/report_pdf.h"}},
+  };
+  return interfaces;
+}
+
+TEST(Architecture, FeaturesUseEachOtherThroughNamedInterfaces) {
+  int seen = 0;
+  for (const Include& include : includesUnder("widgets")) {
+    const std::string from = featureOf(include.from);
+    const std::string to = featureOf(include.what);
+    if (to.empty() || to == from) continue;
+    ++seen;
+    if (const auto shared = sharedFolders().find(from); shared != sharedFolders().end()) {
+      EXPECT_TRUE(shared->second.count(to)) << include.from << " includes " << include.what;
+      continue;
+    }
+    if (sharedFolders().count(to)) continue;
+    const auto interfaces = interfacesOfFeatures().find(from);
+    const std::string header = include.what.substr(std::string("widgets/").size());
+    EXPECT_TRUE(interfaces != interfacesOfFeatures().end() && interfaces->second.count(header))
+        << include.from << " includes " << include.what;
+  }
+  EXPECT_GT(seen, 100);
+}
+
 /// The document keeps the scenario; the session keeps what it runs, the view what it draws, the recorder what it
 /// records.
 TEST(Architecture, NobodyElseKeepsAScenario) {
