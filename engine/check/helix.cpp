@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/check/evidence_names.h"
 #include "engine/evidence/turn.h"
 
 namespace glissade::check {

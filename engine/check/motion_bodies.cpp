@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/check/evidence_names.h"
 #include "engine/evidence/thinning.h"
 
 namespace glissade::check {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/check/evidence_names.h"
 #include "engine/check/motion_check.h"
 #include "engine/evidence/thinning.h"
 #include "engine/evidence/thread_core.h"

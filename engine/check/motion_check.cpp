@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/check/evidence_names.h"
 #include "engine/check/motion_geometry.h"
 #include "engine/check/thread_motion.h"
 #include "engine/evidence/turn.h"

@@ -7,6 +7,7 @@
 
 #include "engine/base/message.h"
 #include "engine/base/work_watch.h"
+#include "engine/check/evidence_names.h"
 #include "engine/check/verdict.h"
 #include "engine/evidence/body.h"
 #include "engine/evidence/thread.h"

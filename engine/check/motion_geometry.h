@@ -15,6 +15,7 @@
 
 #include "engine/check/course.h"
 #include "engine/check/edge_proof.h"
+#include "engine/check/evidence_names.h"
 #include "engine/check/helix.h"
 #include "engine/check/motion_check.h"
 #include "engine/check/sweep.h"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/check/evidence_names.h"
 #include "engine/check/pair_work.h"
 #include "engine/check/taken_core.h"
 #include "engine/check/taken_hollow.h"

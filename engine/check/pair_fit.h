@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/base/message.h"
+#include "engine/check/evidence_names.h"
 #include "engine/check/path.h"
 #include "engine/evidence/evidence.h"
 #include "engine/evidence/named_screw.h"

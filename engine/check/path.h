@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/check/evidence_names.h"
 #include "engine/evidence/evidence.h"
 #include "engine/evidence/thread.h"
 #include "engine/geometry/pose.h"

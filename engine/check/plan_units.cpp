@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "engine/check/evidence_names.h"
 #include "engine/check/plan_demands.h"
 #include "engine/check/verdict_words.h"
 #include "engine/evidence/pulled_thread.h"

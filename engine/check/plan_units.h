@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/check/condition.h"
+#include "engine/check/evidence_names.h"
 #include "engine/check/plan.h"
 #include "engine/evidence/placed_bodies.h"
 

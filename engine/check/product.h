@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/base/diagnostic.h"
+#include "engine/check/evidence_names.h"
 #include "engine/evidence/body.h"
 #include "engine/evidence/pair_words.h"
 #include "engine/model/missing_shape.h"

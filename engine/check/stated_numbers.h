@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/base/message.h"
+#include "engine/check/evidence_names.h"
 #include "engine/check/numbered_steps.h"
 #include "engine/check/plan_verdict.h"
 #include "engine/evidence/placed_bodies.h"

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/check/evidence_names.h"
 #include "engine/check/scenario_json.h"
 #include "engine/evidence/body.h"
 

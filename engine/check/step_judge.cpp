@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "engine/base/parameters.h"
+#include "engine/check/evidence_names.h"
 #include "engine/check/pair_work.h"
 #include "engine/check/standard_pitch.h"
 #include "engine/check/stated_numbers.h"

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "engine/check/evidence_names.h"
 #include "engine/check/motion_bodies.h"
 #include "engine/check/numbered_steps.h"
 #include "engine/check/plan_verdict.h"

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "engine/base/result.h"
+#include "engine/check/evidence_names.h"
 #include "engine/evidence/placed_body.h"
 #include "engine/evidence/thread.h"
 

@@ -4,7 +4,7 @@
 
 #include "engine/geometry/triangle_mesh.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 
 /// A body of a product, as the judge reads it.
 struct Body {
@@ -16,4 +16,4 @@ struct Body {
   double deflection = 0.0;  ///< largest deviation of curved triangles, metres, for a mesh without faces
 };
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

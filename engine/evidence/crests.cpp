@@ -7,7 +7,7 @@
 
 #include "engine/geometry/circle_fit.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 namespace {
 
 constexpr double kWholeTurn = 2.0 * std::numbers::pi;
@@ -300,4 +300,4 @@ std::optional<DrawnCrests> crestsInto(const RoundFace& face, const TriangleMesh&
   return std::nullopt;
 }
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

@@ -7,7 +7,7 @@
 #include "engine/evidence/round_faces.h"
 #include "engine/geometry/triangle_mesh.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 
 /// A point about an axis.
 struct Around {
@@ -42,4 +42,4 @@ struct DrawnCrests {
 /// knurl, a smooth cylinder, a collar, a thread of several starts; also after a stop. `body`: in the frame of the face.
 std::optional<DrawnCrests> crestsInto(const RoundFace& face, const TriangleMesh& body, const StopToken& stop = {});
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

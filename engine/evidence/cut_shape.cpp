@@ -10,7 +10,7 @@
 
 #include "engine/evidence/surface_cut.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 namespace {
 
 constexpr double kSameLine = 1e-8;      ///< metres: edges of pieces within this distance are one line
@@ -77,7 +77,7 @@ struct OverlapPart {
 };
 
 /// Shape of the walls of one body about the overlap.
-struct Around {
+struct WallShape {
   double volume = 0.0;  ///< three times the volume between the walls and the centre of the overlap
   double area = 0.0;
   Vector3 sum = Vector3::Zero();  ///< sum of the normals, weighted by area
@@ -192,11 +192,11 @@ class OverlapShape {
       area += pieces_[i].normal.norm();
     }
     center /= area;
-    Around wallsOfOne;
-    Around wallsOfOther;
+    WallShape wallsOfOne;
+    WallShape wallsOfOther;
     for (const std::uint32_t i : part.pieces) {
       if (pieces_[i].isShared) continue;
-      Around& around = pieces_[i].isOfOne ? wallsOfOther : wallsOfOne;
+      WallShape& around = pieces_[i].isOfOne ? wallsOfOther : wallsOfOne;
       around.volume += pieces_[i].normal.dot(middleOf(pieces_[i].polygon) - center);
       around.area += pieces_[i].normal.norm();
       around.sum += pieces_[i].normal;
@@ -238,4 +238,4 @@ Cut cutOf(const CutShape& shape, bool namesOne, bool namesOther) {
   return Cut::NotClear;
 }
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

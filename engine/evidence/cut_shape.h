@@ -3,7 +3,7 @@
 #include "engine/base/stop_token.h"
 #include "engine/evidence/placed_body.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 
 /// Evidence on the cut of one of two overlapping bodies.
 ///
@@ -33,4 +33,4 @@ enum class Cut { One, Other, NotClear, NotWhole };
 /// cut. `NotClear`: a person has to name a body. `NotWhole`: the remainder would be less connected than the body.
 Cut cutOf(const CutShape& shape, bool namesOne, bool namesOther);
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-namespace glissade::check {
+namespace glissade::evidence {
 namespace {
 
 constexpr double kSameNormal = 1.0 - 1e-9;
@@ -143,4 +143,4 @@ std::vector<Vector3> deepestPoints(const Triangle& part, const std::vector<Trian
   return Points(part, near).all();
 }
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

@@ -4,7 +4,7 @@
 
 #include "engine/geometry/triangle_pair.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 
 /// Points of a flat part of one surface at which its depth below another surface can be largest.
 ///
@@ -17,4 +17,4 @@ namespace glissade::check {
 /// the surface.
 std::vector<Vector3> deepestPoints(const Triangle& part, const std::vector<Triangle>& near);
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

@@ -8,7 +8,7 @@
 #include "engine/evidence/overlap.h"
 #include "engine/evidence/pulled_thread.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 namespace {
 
 constexpr double kTouchingSurfaces = 3e-6;  ///< metres: tolerance for fitting and rounding
@@ -343,4 +343,4 @@ PairBounds united(const PairBounds& a, const PairBounds& b) {
   return both;
 }
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

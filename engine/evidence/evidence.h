@@ -14,7 +14,7 @@
 #include "engine/evidence/placed_body.h"
 #include "engine/evidence/thinning.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 
 /// The evidence for thinning a body at one face against another body, metres.
 struct Evidence {
@@ -109,4 +109,4 @@ double assembledMargin(double radius);
 /// The larger of two bounds, triangle by triangle, for a product that is assembled in two configurations.
 PairBounds united(const PairBounds& a, const PairBounds& b);
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

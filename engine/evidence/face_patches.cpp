@@ -11,7 +11,7 @@
 #include "engine/geometry/joined_sets.h"
 #include "engine/geometry/vertex_welder.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 namespace {
 
 constexpr double kFinestPatch = 1.0 / 32.0;  ///< share of the diagonal of the common box of both bodies
@@ -416,4 +416,4 @@ std::optional<FacePatches> facePatchesOf(const PatchQuestion& question, const St
   return any ? PatchFinder(question, stop).find() : std::nullopt;
 }
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

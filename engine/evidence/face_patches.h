@@ -8,7 +8,7 @@
 #include "engine/evidence/placed_body.h"
 #include "engine/evidence/shaft_rings.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 
 /// The mesh of a body with finer triangles, and its patches: the parts of faces that another body is below. The surface
 /// is that of the body.
@@ -39,4 +39,4 @@ struct PatchQuestion {
 /// Nothing if no region has a depth, or after a stop.
 std::optional<FacePatches> facePatchesOf(const PatchQuestion& question, const StopToken& stop);
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

@@ -8,7 +8,7 @@
 
 #include "engine/geometry/vertex_welder.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 namespace {
 
 /// Angles, radians: 36 degrees (sharp); a tenth of a degree (one piece: single precision bends flat faces by less);
@@ -121,4 +121,4 @@ FaceRegions faceRegionsOf(const TriangleMesh& mesh) {
   return regions;
 }
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

@@ -5,7 +5,7 @@
 
 #include "engine/geometry/triangle_mesh.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 
 /// The faces of a surface, as the judge divides it: the faces that the CAD file states, else flat pieces. Triangles
 /// that are connected over edges bent by less than a tenth of a degree are one piece. A fit at one face does not extend
@@ -24,4 +24,4 @@ struct FaceRegions {
 
 FaceRegions faceRegionsOf(const TriangleMesh& mesh);
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

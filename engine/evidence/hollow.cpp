@@ -5,7 +5,7 @@
 #include "engine/evidence/evidence.h"
 #include "engine/evidence/surface_cut.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 namespace {
 
 void add(const Polygon& piece, bool turned, TriangleMesh& mesh) {
@@ -44,4 +44,4 @@ double hollowRoom(const PlacedBody& body, const PlacedBody& guest) {
          assembledMargin(std::max({body.radius, body.halfDiagonal, guest.radius, guest.halfDiagonal}));
 }
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

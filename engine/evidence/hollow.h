@@ -5,7 +5,7 @@
 #include "engine/base/stop_token.h"
 #include "engine/evidence/placed_body.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 
 /// A body without the volume that another body, the guest, fills: the remainder of an accepted clash. The mesh is in
 /// the frame of the given bodies.
@@ -25,4 +25,4 @@ double wallDeflection(const PlacedBody& guest);
 /// it, the margin, and the spacing of the coordinates.
 double hollowRoom(const PlacedBody& body, const PlacedBody& guest);
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

@@ -5,7 +5,7 @@
 
 #include "engine/evidence/part_cells.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 namespace {
 
 /// Limits of the grid points along an edge of a triangle.
@@ -105,4 +105,4 @@ std::vector<bool> hookRegions(const HookQuestion& question, const StopToken& sto
   return regions;
 }
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

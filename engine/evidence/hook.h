@@ -6,7 +6,7 @@
 #include "engine/base/stop_token.h"
 #include "engine/evidence/placed_body.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 
 /// Limits of the bend of a hook: a share of the diagonal of its body's box, and metres.
 inline constexpr double kMostBendShare = 0.25;
@@ -35,4 +35,4 @@ struct HookQuestion {
 /// between sample points only, the face does not count as a hook's, and less is allowed.
 std::vector<bool> hookRegions(const HookQuestion& question, const StopToken& stop);
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

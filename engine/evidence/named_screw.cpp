@@ -7,7 +7,7 @@
 #include <regex>
 #include <sstream>
 
-namespace glissade::check {
+namespace glissade::evidence {
 namespace {
 
 /// Limits of the ratio of a screw's cylinder to the diameter in its name: a drawn core, and rounding of a mesh.
@@ -148,4 +148,4 @@ std::optional<ScrewInSolid> screwInSolid(const Placement& screw, const Placement
   return std::nullopt;
 }
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

@@ -5,7 +5,7 @@
 
 #include "engine/evidence/placed_bodies.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 
 /// Diameter of the thread (metres) in the name of a screw: "DIN 912 M4x10", "ST4.2x35", "1/4-20 x 1", "wood screw
 /// 4x30". Nothing if the name is of no screw, or has no size.
@@ -25,4 +25,4 @@ struct ScrewInSolid {
 std::optional<ScrewInSolid> screwInSolid(const Placement& screw, const Placement& host, PlacedBodies& bodies,
                                          const StopToken& stop);
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-namespace glissade::check {
+namespace glissade::evidence {
 namespace {
 
 /// Least distance between an open edge and a face that moves, in allowances.
@@ -18,7 +18,7 @@ constexpr int kDirections = 128;
 /// Share of a displacement that is skipped at its beginning, which is on the moving face.
 constexpr double kBeginning = 1e-3;
 
-Vector3 middleOf(const Triangle& t) { return (t[0] + t[1] + t[2]) / 3.0; }
+Vector3 centroidOf(const Triangle& t) { return (t[0] + t[1] + t[2]) / 3.0; }
 
 /// Directions that are spread evenly over the sphere, along a spiral.
 std::vector<Vector3> directions() {
@@ -74,13 +74,13 @@ class Behind {
     const auto farthest = farthestOfPieces();
     return std::all_of(farthest.begin(), farthest.end(), [&](const auto& piece) {
       const auto& [way, f] = piece.second;
-      return way <= 0.0 || sense * metFromWithin(middleOf(surface_.after[f]), surface_.before) >= kFromWithin;
+      return way <= 0.0 || sense * metFromWithin(centroidOf(surface_.after[f]), surface_.before) >= kFromWithin;
     });
   }
 
  private:
   double inwards(std::uint32_t f) const {
-    return surface_.normals[f].dot(middleOf(surface_.before[f]) - middleOf(surface_.after[f]));
+    return surface_.normals[f].dot(centroidOf(surface_.before[f]) - centroidOf(surface_.after[f]));
   }
 
   /// True if corners turn left about the outward normals; this is equal for all triangles.
@@ -91,8 +91,8 @@ class Behind {
   }
 
   bool isWayFree(std::uint32_t f) const {
-    const Vector3 to = middleOf(surface_.after[f]);
-    const Vector3 from = middleOf(surface_.before[f]) + kBeginning * (to - middleOf(surface_.before[f]));
+    const Vector3 to = centroidOf(surface_.after[f]);
+    const Vector3 from = centroidOf(surface_.before[f]) + kBeginning * (to - centroidOf(surface_.before[f]));
     const double way = inwards(f);
     if (way <= 1e-3 * (to - from).norm()) return true;  // the face moves along its plane
     const double near = 1e-6 * way;
@@ -171,4 +171,4 @@ bool areFar(const std::vector<std::array<Vector3, 2>>& openEdges, const std::vec
 
 bool isBehind(const MovedSurface& surface) { return Behind(surface).isBehind(); }
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

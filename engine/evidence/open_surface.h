@@ -6,7 +6,7 @@
 #include "engine/geometry/triangle_mesh.h"
 #include "engine/geometry/triangle_pair.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 
 /// Ends of the edges at which a surface is open: edges with one triangle, or with triangles of different orientation.
 /// Vertices are identified by their numbers.
@@ -30,4 +30,4 @@ struct MovedSurface {
 /// within. The judge's rule, independent of the planners; slow and simple.
 bool isBehind(const MovedSurface& surface);
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

@@ -10,7 +10,7 @@
 #include "engine/geometry/triangle_crossing.h"
 #include "engine/geometry/vertex_welder.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 namespace {
 
 constexpr double kLeastDepth = 1e-7;    ///< metres: rounding of coordinates
@@ -422,4 +422,4 @@ Overlap overlapIn(const PlacedBody& body, const PlacedBody& other, const StopTok
   return overlap;
 }
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

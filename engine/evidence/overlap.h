@@ -5,7 +5,7 @@
 #include "engine/base/stop_token.h"
 #include "engine/evidence/placed_body.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 
 /// Metres: a larger overlap is a clash.
 inline constexpr double kClashOverlap = 1e-3;
@@ -24,4 +24,4 @@ struct Overlap {
 /// it that a wider hole would let pass. Bodies that are not closed have no inside.
 Overlap overlapIn(const PlacedBody& body, const PlacedBody& other, const StopToken& stop);
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

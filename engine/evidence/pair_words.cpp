@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace glissade::check {
+namespace glissade::evidence {
 
 bool FitWords::isCut(const std::string& id) const {
   return std::any_of(cut.begin(), cut.end(), [&](const std::string& name) {
@@ -36,4 +36,4 @@ const PairWord* FitWords::about(const std::string& a, const std::string& b) cons
   return found == pairs.end() ? nullptr : &*found;
 }
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

@@ -9,7 +9,7 @@
 #include "engine/base/message.h"
 #include "engine/geometry/pose.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 
 /// A person's statement about a pair of bodies, named by id.
 struct PairWord {
@@ -63,4 +63,4 @@ struct FitWords {
   }
 };
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

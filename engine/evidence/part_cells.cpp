@@ -6,7 +6,7 @@
 
 #include "engine/geometry/nearest_point.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 namespace {
 
 /// Least cosine between normals of triangles that face about the same way.
@@ -102,4 +102,4 @@ bool PartCells::isConvex(const std::vector<std::uint32_t>& near) const {
   });
 }
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

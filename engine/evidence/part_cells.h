@@ -6,7 +6,7 @@
 
 #include "engine/geometry/triangle_pair.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 
 /// A piece of a flat part of one surface, and the triangles of another surface that can be nearest to its points.
 struct PartCell {
@@ -57,4 +57,4 @@ class PartCells {
   std::priority_queue<PartCell, std::vector<PartCell>, IsLess> open_;
 };
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

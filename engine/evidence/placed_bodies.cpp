@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace glissade::check {
+namespace glissade::evidence {
 namespace {
 
 double rounded(double number) {
@@ -142,7 +142,7 @@ Cut PlacedBodies::cutOf(const Placement& one, const Placement& other, const FitW
   const bool namesOne = fits.isCut(one.body.id);
   const bool namesOther = fits.isCut(other.body.id);
   const Cut cut =
-      pair.isInOrder ? check::cutOf(shape, namesOne, namesOther) : check::cutOf(shape, namesOther, namesOne);
+      pair.isInOrder ? evidence::cutOf(shape, namesOne, namesOther) : evidence::cutOf(shape, namesOther, namesOne);
   if (pair.isInOrder || (cut != Cut::One && cut != Cut::Other)) return cut;
   return cut == Cut::One ? Cut::Other : Cut::One;
 }
@@ -160,8 +160,8 @@ PairBounds PlacedBodies::boundsInContact(const Placement& one, const Placement& 
   const MeasuredPtr pair = measured(a, b, order.secondBody, stop);
   const MeasuredBody ofFirst{a, pair->one};
   const MeasuredBody ofSecond{b, pair->other};
-  return order.isInOrder ? check::boundsOf(ofFirst, ofSecond, fits, word)
-                         : check::boundsOf(ofSecond, ofFirst, fits, word);
+  return order.isInOrder ? evidence::boundsOf(ofFirst, ofSecond, fits, word)
+                         : evidence::boundsOf(ofSecond, ofFirst, fits, word);
 }
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

@@ -15,7 +15,7 @@
 #include "engine/evidence/pair_words.h"
 #include "engine/evidence/placed_body.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 
 /// A body at the pose in which it is compared with others; it may be assembled elsewhere.
 struct Placement {
@@ -70,4 +70,4 @@ class PlacedBodies {
   std::map<std::pair<const PlacedBody*, const PlacedBody*>, CutShape> cuts_;
 };
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

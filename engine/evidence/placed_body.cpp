@@ -4,7 +4,7 @@
 
 #include "engine/geometry/mesh_edges.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 
 PlacedBody::PlacedBody(const Body& body, const Pose& X_WB)
     : mesh(transformed(*body.mesh, X_WB)),
@@ -31,4 +31,4 @@ PlacedBody::PlacedBody(const Body& body, const Pose& X_WB)
   rounds = roundFacesOf(*this);
 }
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

@@ -9,7 +9,7 @@
 #include "engine/geometry/solid_interior.h"
 #include "engine/geometry/triangle_tree.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 
 /// Two faces face each other if the cosine between their normals is below this. Faces beside touching faces do not.
 inline constexpr double kFacing = -0.3;
@@ -33,4 +33,4 @@ struct PlacedBody {
   bool contains(const Vector3& p) const { return interior && interior->contains(p); }
 };
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

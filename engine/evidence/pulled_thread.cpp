@@ -8,7 +8,7 @@
 #include "engine/evidence/crests.h"
 #include "engine/evidence/thread.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 namespace {
 
 /// Largest tilt of an axis that counts as none, radians.
@@ -203,4 +203,4 @@ std::vector<TurnedThread> turnedThreads(const std::vector<CommonThread>& threads
   return turned;
 }
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

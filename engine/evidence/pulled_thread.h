@@ -7,7 +7,7 @@
 #include "engine/evidence/named_screw.h"
 #include "engine/evidence/placed_body.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 
 /// An assembled pair of bodies, one of which leaves the other.
 struct LeavingPair {
@@ -69,4 +69,4 @@ std::vector<TurnedThread> turnedThreads(const std::vector<CommonThread>& threads
 /// press fit; else 0.
 double roundOverlap(const PlacedBody& one, const PlacedBody& other);
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-namespace glissade::check {
+namespace glissade::evidence {
 namespace {
 
 /// Limit of the rays for a point: each new one grazes an edge with probability near zero.
@@ -103,4 +103,4 @@ std::optional<int> RaySolid::crossings(const Vector3& point, const Vector3& dire
   return oriented_ ? count : count % 2;
 }
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

@@ -5,7 +5,7 @@
 
 #include "engine/geometry/triangle_mesh.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 
 /// The solid that a closed surface encloses, by counting the triangles that a ray from the point crosses. Used by the
 /// judge only.
@@ -30,4 +30,4 @@ class RaySolid {
   std::vector<Vector3> partPoints_;
 };
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

@@ -8,7 +8,7 @@
 #include "engine/evidence/placed_body.h"
 #include "engine/geometry/circle_fit.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 namespace {
 
 constexpr std::size_t kFewestTriangles = 6;
@@ -132,4 +132,4 @@ bool isOf(const RoundFace& round, const PlacedBody& body, std::uint32_t triangle
   return std::all_of(corners.begin(), corners.end(), isOn) && (round.isShaft ? outwards > 0.0 : outwards < 0.0);
 }
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

@@ -5,7 +5,7 @@
 
 #include "engine/geometry/pose.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 
 struct PlacedBody;
 
@@ -35,4 +35,4 @@ std::vector<RoundFace> roundFacesOf(const PlacedBody& body);
 /// Whether the triangle of the body lies on the round face.
 bool isOf(const RoundFace& round, const PlacedBody& body, std::uint32_t triangle);
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

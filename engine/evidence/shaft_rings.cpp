@@ -10,7 +10,7 @@
 #include "engine/evidence/overlap.h"
 #include "engine/geometry/vertex_welder.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 namespace {
 
 /// Slices the triangles of shafts of a body.
@@ -172,7 +172,7 @@ std::optional<Range> ringIn(const RoundFace& shaft, const RoundFace& hole, doubl
 }
 
 /// Rings that overlap become one.
-std::vector<Range> united(std::vector<Range> rings) {
+std::vector<Range> unitedRings(std::vector<Range> rings) {
   std::sort(rings.begin(), rings.end(), [](const Range& one, const Range& other) { return one.low < other.low; });
   std::vector<Range> apart;
   for (const Range& ring : rings) {
@@ -204,7 +204,7 @@ std::vector<ShaftRings> ringsInHoles(const PlacedBody& body, const PlacedBody& o
     for (const RoundFace& hole : other.rounds) {
       if (const auto ring = ringIn(shaft, hole, beside)) rings.push_back(*ring);
     }
-    if (!rings.empty()) found.push_back({shaft, united(std::move(rings))});
+    if (!rings.empty()) found.push_back({shaft, unitedRings(std::move(rings))});
   }
   return found;
 }
@@ -222,4 +222,4 @@ DividedTriangles dividedAtRings(const PlacedBody& body, const std::vector<ShaftR
   return std::move(slicer).divided();
 }
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

@@ -6,7 +6,7 @@
 #include "engine/evidence/placed_body.h"
 #include "engine/geometry/range.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 
 /// A vertex on the line between two earlier vertices of a mesh.
 struct NewVertex {
@@ -39,4 +39,4 @@ std::vector<ShaftRings> ringsInHoles(const PlacedBody& body, const PlacedBody& o
 /// shares a cut edge with another face.
 DividedTriangles dividedAtRings(const PlacedBody& body, const std::vector<ShaftRings>& rings, double beside);
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

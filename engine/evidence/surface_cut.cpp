@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace glissade::check {
+namespace glissade::evidence {
 namespace {
 
 constexpr double kOnPlane = 1e-9;    ///< metres: corners within this distance are on the plane
@@ -148,4 +148,4 @@ bool cutSurface(const PlacedBody& body, const PlacedBody& other, const std::func
   return SurfaceCut(body, other, stop).each(take);
 }
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

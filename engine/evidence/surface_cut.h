@@ -7,7 +7,7 @@
 #include "engine/base/stop_token.h"
 #include "engine/evidence/placed_body.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 
 /// A convex polygon; its corners are oriented like its triangle.
 using Polygon = std::vector<Vector3>;
@@ -29,4 +29,4 @@ Vector3 middleOf(const Polygon& polygon);
 bool cutSurface(const PlacedBody& body, const PlacedBody& other, const std::function<void(const CutPiece&)>& take,
                 const StopToken& stop);
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

@@ -18,7 +18,7 @@
 #include "engine/geometry/triangle_crossing.h"
 #include "engine/geometry/triangle_tree.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 namespace {
 
 constexpr double kLongestMove = 2.0;
@@ -30,7 +30,7 @@ constexpr double kSameFace = 1e-9;
 constexpr double kStays = 0.01;
 /// Corners of triangles that cross the true surface move half as far in the first rounds, and stay in the others.
 constexpr int kHalvings = 8;
-constexpr int kRounds = 2 * kHalvings + 1;
+constexpr int kThinningRounds = 2 * kHalvings + 1;
 
 using Corners = Triangle;
 
@@ -96,7 +96,7 @@ class ThinBody {
     findPieces();
     std::vector<Vector3> moves = movesOf();
     moveConesWithCylinders(moves);
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kThinningRounds; ++round) {
       TriangleMesh result{points_, triangles_};
       for (std::size_t i = 0; i < moves.size(); ++i) result.vertices[i] += moves[i];
       const std::set<std::uint32_t> bad = crossingCorners(result);
@@ -353,4 +353,4 @@ TriangleMesh thinned(const TriangleMesh& mesh, const std::vector<double>& allowa
   return ThinBody(mesh, allowances, share).thinned();
 }
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

@@ -4,7 +4,7 @@
 
 #include "engine/geometry/triangle_mesh.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 
 /// Largest share of the thickness below a face that a thinned body may lose there, and that a bending hook may.
 inline constexpr double kThicknessShare = 0.2;
@@ -28,4 +28,4 @@ inline constexpr double kHookShare = 0.45;
 /// is open too near to a face with an allowance.
 TriangleMesh thinned(const TriangleMesh& mesh, const std::vector<double>& allowances, double share = kThicknessShare);
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

@@ -5,7 +5,7 @@
 
 #include "engine/base/number_text.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 
 Message wrongPitch(const Thread& thread) {
   const double diameter = 2.0 * std::max(thread.radiusMoving, thread.radiusOther);
@@ -15,4 +15,4 @@ Message wrongPitch(const Thread& thread) {
           {shortText(pitch * 1e3), shortText(diameter * 1e3)}};
 }
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

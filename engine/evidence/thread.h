@@ -3,7 +3,7 @@
 #include "engine/base/message.h"
 #include "engine/geometry/pose.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 
 /// A thread of the moving body and another one. While it is engaged, the body turns about the axis and advances by the
 /// pitch, and has no other motion. World frame.
@@ -39,4 +39,4 @@ inline constexpr double kMostPitchInDiameters = 2.0;
 /// The reason why this is no pitch of a thread with these radii; empty if it is one.
 Message wrongPitch(const Thread& thread);
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

@@ -12,7 +12,7 @@
 #include "engine/evidence/thread.h"
 #include "engine/evidence/turn.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 namespace {
 
 /// At either end a thread runs out: crests are compared so many pitches away from there.
@@ -175,4 +175,4 @@ ThreadCore inFrame(const Pose& X_FW, ThreadCore core) {
   return core;
 }
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

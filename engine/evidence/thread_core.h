@@ -6,7 +6,7 @@
 #include "engine/base/result.h"
 #include "engine/evidence/placed_body.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 
 /// A thread that is modelled on a shaft, and the core that remains after it is taken away. In the world frame, or in
 /// the frame of the shaft's mesh.
@@ -61,4 +61,4 @@ TriangleMesh withoutThread(const TriangleMesh& mesh, const ThreadCore& core);
 /// The core in a frame F, for a pose X_FW of the world.
 ThreadCore inFrame(const Pose& X_FW, ThreadCore core);
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace glissade::check {
+namespace glissade::evidence {
 namespace {
 
 using Flat = Eigen::Vector2d;
@@ -74,4 +74,4 @@ double turnedDistance(const std::vector<TurnedTriangle>& moving, const std::vect
   return least;
 }
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

@@ -5,7 +5,7 @@
 #include "engine/base/stop_token.h"
 #include "engine/geometry/triangle_mesh.h"
 
-namespace glissade::check {
+namespace glissade::evidence {
 
 /// Ranges of the distances from an axis and of the heights along it that a triangle covers when it turns about the axis
 /// by any angle.
@@ -33,4 +33,4 @@ struct Rise {
 double turnedDistance(const std::vector<TurnedTriangle>& moving, const std::vector<TurnedTriangle>& fixed,
                       const Rise& rise, const StopToken& stop);
 
-}  // namespace glissade::check
+}  // namespace glissade::evidence

@@ -74,8 +74,8 @@ check::Step judgedStep(const AssemblyStep& step) {
 }
 
 /// A person's statements about joints, in the order in which they were made.
-check::PartingWords partingsOf(const SequenceDemands& demands) {
-  check::PartingWords words;
+evidence::PartingWords partingsOf(const SequenceDemands& demands) {
+  evidence::PartingWords words;
   words.anyPair = demands.jointUse == JointUse::Off;
   for (const JointEdit& edit : demands.joints) {
     for (const std::string& other : edit.key.others) {
@@ -124,8 +124,8 @@ check::Line judgedLine(const SubassemblyLine& line) {
 
 }  // namespace
 
-std::vector<check::Body> judgedBodies(const std::vector<RigidBody>& bodies) {
-  std::vector<check::Body> judged;
+std::vector<evidence::Body> judgedBodies(const std::vector<RigidBody>& bodies) {
+  std::vector<evidence::Body> judged;
   for (const RigidBody& body : bodies) judged.push_back({body.id, body.shown(), body.mesh, body.X_WB});
   return judged;
 }

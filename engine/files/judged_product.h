@@ -12,7 +12,7 @@ namespace glissade {
 
 // Converts loaded data into the input of the judge without reading files again. The judge decides by itself.
 
-std::vector<check::Body> judgedBodies(const std::vector<RigidBody>& bodies);
+std::vector<evidence::Body> judgedBodies(const std::vector<RigidBody>& bodies);
 check::Product judgedProduct(const AssembledProduct& product);
 check::Plan judgedPlan(const AssemblyPlan& plan);
 /// The problem without the person's forbidden places, which are in the scenario's file.

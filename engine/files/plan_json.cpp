@@ -41,7 +41,7 @@ Json toJson(const StepProof& proof, bool certified) {
           {"nearest", proof.nearest.empty() ? Json(nullptr) : Json(proof.nearest)}};
 }
 
-Json toJson(const check::Evidence& evidence) {
+Json toJson(const evidence::Evidence& evidence) {
   Json json{{"overlap_m", evidence.overlap},
             {"deflection_m", evidence.deflection},
             {"spacing_m", evidence.spacing},
@@ -320,10 +320,10 @@ class PlanReader {
     return proof;
   }
 
-  static check::Evidence readEvidence(const JsonCursor& at) {
+  static evidence::Evidence readEvidence(const JsonCursor& at) {
     at.allowOnly({"overlap_m", "deflection_m", "spacing_m", "margin_m", "by_person_m"});
-    check::Evidence evidence{readLength(at.at("overlap_m")), readLength(at.at("deflection_m")),
-                             readLength(at.at("spacing_m")), readLength(at.at("margin_m"))};
+    evidence::Evidence evidence{readLength(at.at("overlap_m")), readLength(at.at("deflection_m")),
+                                readLength(at.at("spacing_m")), readLength(at.at("margin_m"))};
     if (const auto person = at.find("by_person_m")) evidence.byPerson = readLength(*person);
     return evidence;
   }

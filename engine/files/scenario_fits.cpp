@@ -34,7 +34,7 @@ FitSettings fitsOfGroup(const FitSettings& fits, const std::vector<RigidBody>& g
   };
   FitSettings ofGroup = fits;
   ofGroup.pairs.clear();
-  const check::FitWords said = wordsOf(fits);
+  const evidence::FitWords said = wordsOf(fits);
   if (std::any_of(group.begin(), group.end(), [&](const RigidBody& body) { return said.isCut(body.id); }))
     ofGroup.cut.push_back(groupId);
   std::map<std::string, GroupWord> words;  // statements by the other body
@@ -128,7 +128,7 @@ std::vector<Message> allowancesInWords(const LoadedScenario& scenario, const std
   return words;
 }
 
-nlohmann::ordered_json threadJson(const check::StatedThread& thread) {
+nlohmann::ordered_json threadJson(const evidence::StatedThread& thread) {
   const auto numbers = [](const Vector3& v) { return std::array{v.x(), v.y(), v.z()}; };
   return {{"point_m", numbers(thread.point)},
           {"direction", numbers(thread.direction)},

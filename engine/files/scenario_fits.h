@@ -39,7 +39,7 @@ std::vector<Message> allowancesInWords(const LoadedScenario& scenario, const std
 nlohmann::ordered_json allowancesJson(const LoadedScenario& scenario, const std::vector<PathPoint>& path = {});
 
 /// A thread whose material is removed, as plans and paths state it.
-nlohmann::ordered_json threadJson(const check::StatedThread& thread);
+nlohmann::ordered_json threadJson(const evidence::StatedThread& thread);
 
 /// Full turns of the object on the path while it is in the thread of this fit, either way; 0 for other fits.
 double turnsOn(const std::vector<PathPoint>& path, const LoadedScenario& scenario, const Fit& fit);

@@ -19,7 +19,7 @@ struct AssembledProduct {
   std::vector<double> spacings{};  ///< spacing of the coordinates of each body, metres; empty: not known
   Product tree{};                  ///< tree that contains the bodies; it may contain others, too
   /// Hooks that a person permits to bend in sequences: the body leaves in the stated direction.
-  std::vector<check::SnapWord> snaps{};
+  std::vector<evidence::SnapWord> snaps{};
 
   /// Nothing if no body has this id.
   std::optional<std::size_t> indexOf(const std::string& id) const;

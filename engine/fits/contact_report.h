@@ -39,7 +39,8 @@ struct Contact {
   double deviation = 0.0;    ///< deviation of the near triangles from the surfaces, both bodies together, metres
   double thickness = 0.0;    ///< thickness at the deepest point, of the thicker body, metres
   std::optional<ContactAxis> axis;
-  bool isPlainOverlap = false;  ///< see check::PairBounds::isPlainOverlap; false for a clash that nobody has accepted
+  bool isPlainOverlap =
+      false;  ///< see evidence::PairBounds::isPlainOverlap; false for a clash that nobody has accepted
 };
 
 struct ContactReport {

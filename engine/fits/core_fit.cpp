@@ -15,7 +15,7 @@ bool isScrew(const TurnedShape& shape) {
 
 /// Position of a point about the thread's axis.
 struct InThread {
-  InThread(const check::ThreadCore& core, const Vector3& p) : across(p - core.point) {
+  InThread(const evidence::ThreadCore& core, const Vector3& p) : across(p - core.point) {
     const double along = across.dot(core.axis);
     across -= along * core.axis;
     isWithin = along >= core.low - kSame && along <= core.high + kSame;
@@ -26,10 +26,10 @@ struct InThread {
 };
 
 /// Allowances of faces of the shaft beside the thread that touch the other body.
-std::vector<double> besideThread(const CoreSide& shaft, const CoreSide& hole, const check::ThreadCore& core) {
+std::vector<double> besideThread(const CoreSide& shaft, const CoreSide& hole, const evidence::ThreadCore& core) {
   const double touching = core.spacing + core.margin + shaft.placed.largestDeflection + hole.placed.largestDeflection;
-  const std::vector<bool> ofThread = check::trianglesOfThread(shaft.placed.mesh, core);
-  std::vector<double> allowances = check::mostOfTriangles(shaft.bound, shaft.placed.mesh.triangles.size());
+  const std::vector<bool> ofThread = evidence::trianglesOfThread(shaft.placed.mesh, core);
+  std::vector<double> allowances = evidence::mostOfTriangles(shaft.bound, shaft.placed.mesh.triangles.size());
   for (std::size_t t = 0; t < allowances.size(); ++t) {
     allowances[t] = ofThread[t] ? 0.0 : std::min(allowances[t], touching);
   }
@@ -37,7 +37,7 @@ std::vector<double> besideThread(const CoreSide& shaft, const CoreSide& hole, co
 }
 
 /// Moves corners of the teeth onto the core; corners that they share with shank or head stay.
-TriangleMesh ontoCore(TriangleMesh mesh, const check::ThreadCore& core) {
+TriangleMesh ontoCore(TriangleMesh mesh, const evidence::ThreadCore& core) {
   std::vector<Vector3> moved = mesh.vertices;
   for (Vector3& p : moved) {
     const InThread at(core, p);
@@ -72,14 +72,15 @@ std::optional<CoreFit> coreFitOf(const CoreSide& shaft, const CoreSide& hole, do
   std::set<double> tried;
   for (ContactAxis axis : commonAxesOf(shaft.body, hole.body)) {
     if (!axis.shaftIsA || !tried.insert(axis.radiusA).second) continue;
-    const auto core = check::threadCoreOf(shaft.placed, hole.placed, {axis.point, axis.direction, pitch, axis.radiusA});
+    const auto core =
+        evidence::threadCoreOf(shaft.placed, hole.placed, {axis.point, axis.direction, pitch, axis.radiusA});
     if (!core) continue;
     axis.radiusB = core->hole;
     const std::vector<double> beside = besideThread(shaft, hole, *core);
     const bool touches = std::any_of(beside.begin(), beside.end(), [](double each) { return each > 0.0; });
     const MeshPtr thinned = touches ? thinnable.thinned(shaft.body.mesh, beside) : shaft.body.mesh;
     if (!thinned) return std::nullopt;
-    const check::ThreadCore own = check::inFrame(inverse(shaft.body.X_WB), *core);
+    const evidence::ThreadCore own = evidence::inFrame(inverse(shaft.body.X_WB), *core);
     return CoreFit{*core, std::make_shared<const TriangleMesh>(ontoCore(welded(*thinned), own)), axis};
   }
   return std::nullopt;

@@ -25,20 +25,20 @@ class ModelledPitches {
 /// An assembled body of a pair.
 struct CoreSide {
   ContactBody body;
-  const check::PlacedBody& placed;
-  const check::AllowanceBound& bound;  ///< bounds of the evidence, if the overlap were no clash
+  const evidence::PlacedBody& placed;
+  const evidence::AllowanceBound& bound;  ///< bounds of the evidence, if the overlap were no clash
 };
 
 /// A shaft whose thread is taken away against one other body.
 struct CoreFit {
-  check::ThreadCore core;  ///< world frame
-  MeshPtr mesh;            ///< remainder of the shaft, in its frame
-  ContactAxis axis;        ///< common axis; the shaft is `a`
+  evidence::ThreadCore core;  ///< world frame
+  MeshPtr mesh;               ///< remainder of the shaft, in its frame
+  ContactAxis axis;           ///< common axis; the shaft is `a`
 };
 
 /// If the thread of a shaft is modelled as a helix and its hole is drawn narrower than the crests, neither body has
 /// room for the overlap: the teeth are thin, and the nut may be, too. The thread is taken away where the judge finds it
-/// (check::threadCoreOf()), and touching faces beside it get an allowance. `pitch`: metres a turn.
+/// (evidence::threadCoreOf()), and touching faces beside it get an allowance. `pitch`: metres a turn.
 std::optional<CoreFit> coreFitOf(const CoreSide& shaft, const CoreSide& hole, double pitch, ThinnableBodies& thinnable);
 
 }  // namespace glissade

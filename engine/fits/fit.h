@@ -28,7 +28,7 @@ struct Fit {
   double overlap = 0.0;  ///< measured overlap, metres
   /// Allowance of the face that moves farthest, metres; for a refused clash, the allowance that it would need.
   double allowance = 0.0;
-  check::Evidence evidence{};  ///< evidence for the largest permitted allowance
+  evidence::Evidence evidence{};  ///< evidence for the largest permitted allowance
   /// Set if a person marks the pair as a thread, or if the thread of the shaft is taken away.
   std::optional<FitThread> thread{};
   bool core = false;    ///< the shaft's thread is taken away (core_fit.h)
@@ -36,7 +36,7 @@ struct Fit {
   MeshPtr thinned{};    ///< the thinned body; null if it is whole
   bool yields = false;  ///< the obstacle is taken thinner, not the object
   /// Set if the clash is accepted and refused all the same: it is not clear which body is cut, or neither stays whole.
-  std::optional<check::Cut> cut{};
+  std::optional<evidence::Cut> cut{};
   Message refused{};  ///< reason why nothing is allowed; empty: it is allowed
 };
 

@@ -58,7 +58,7 @@ FitThread fitThreadOf(const ThreadQuestion& question, const StopToken& stop) {
   return thread;
 }
 
-check::StatedThread statedThread(const ThreadRule& rule) {
+evidence::StatedThread statedThread(const ThreadRule& rule) {
   return {rule.point_W, rule.axis_W, rule.pitch, rule.radiusOfObject, rule.radiusOfObstacle};
 }
 

@@ -24,6 +24,6 @@ struct ThreadQuestion {
 FitThread fitThreadOf(const ThreadQuestion& question, const StopToken& stop);
 
 /// The thread as plans and paths state it.
-check::StatedThread statedThread(const ThreadRule& rule);
+evidence::StatedThread statedThread(const ThreadRule& rule);
 
 }  // namespace glissade

@@ -13,10 +13,10 @@ const FitEdit* editOf(const FitSettings& settings, const std::string& a, const s
   return found == settings.pairs.end() ? nullptr : &*found;
 }
 
-check::FitWords wordsOf(const FitSettings& settings) {
-  check::FitWords words{settings.on, settings.acceptedClash, {}};
+evidence::FitWords wordsOf(const FitSettings& settings) {
+  evidence::FitWords words{settings.on, settings.acceptedClash, {}};
   for (const FitEdit& edit : settings.pairs) {
-    check::PairWord word{edit.a, edit.b};
+    evidence::PairWord word{edit.a, edit.b};
     if (edit.kind) word.kind = kContactKindNames.of(*edit.kind);
     word.allowance = edit.allowance;
     word.accepted = edit.accepted;

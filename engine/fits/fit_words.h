@@ -11,6 +11,6 @@ namespace glissade {
 const FitEdit* editOf(const FitSettings& settings, const std::string& a, const std::string& b);
 
 /// A person's statements about fits, as the judge takes them.
-check::FitWords wordsOf(const FitSettings& settings);
+evidence::FitWords wordsOf(const FitSettings& settings);
 
 }  // namespace glissade

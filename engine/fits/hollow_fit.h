@@ -13,11 +13,11 @@ struct HollowFit {
   MeshPtr guest;         ///< guest, thinned all around, in its frame
   double room;           ///< allowance of the guest, metres
   double spacing;        ///< spacing of the coordinates of both, metres: a part of the room
-  double surface = 0.0;  ///< check::wallDeflection(), metres: a part of the room
+  double surface = 0.0;  ///< evidence::wallDeflection(), metres: a part of the room
 };
 
-/// Nothing if the overlap cannot be taken away (check::hollowed()), or if the guest has no room for the allowance.
-std::optional<HollowFit> hollowFitOf(const check::Placement& host, const check::Placement& guest,
-                                     check::PlacedBodies& placed, ThinnableBodies& thinnable, const StopToken& stop);
+/// Nothing if the overlap cannot be taken away (evidence::hollowed()), or if the guest has no room for the allowance.
+std::optional<HollowFit> hollowFitOf(const evidence::Placement& host, const evidence::Placement& guest,
+                                     evidence::PlacedBodies& placed, ThinnableBodies& thinnable, const StopToken& stop);
 
 }  // namespace glissade

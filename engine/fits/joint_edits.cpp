@@ -239,7 +239,7 @@ class JointEditor {
       if (joint.bend == 0.0) return Done{};
       return refusal(key, GLISSADE_TEXT("only a snap bends"), GLISSADE_TEXT("Remove 'bend_m'."));
     }
-    const double most = check::mostBendOf(*product_.bodies[joint.body].mesh);
+    const double most = evidence::mostBendOf(*product_.bodies[joint.body].mesh);
     if (joint.bend >= 0.0 && joint.bend <= most) return Done{};
     return refusal(key, {GLISSADE_TEXT("a hook does not bend by %1"), {Length{joint.bend}}},
                    {GLISSADE_TEXT("Give 0 to %1 for this body."), {Length{most}}});
@@ -304,12 +304,12 @@ std::vector<JointEdit> confirmationsOf(const Joints& joints, const AssembledProd
   return edits;
 }
 
-std::vector<check::SnapWord> bendsOf(const std::vector<JointEdit>& edits) {
-  std::vector<check::SnapWord> bends;
+std::vector<evidence::SnapWord> bendsOf(const std::vector<JointEdit>& edits) {
+  std::vector<evidence::SnapWord> bends;
   for (const JointEdit& edit : edits) {
     if (edit.key.kind != JointKind::Snap) continue;
     const std::vector<std::string>& edges = edit.key.others;
-    std::erase_if(bends, [&](const check::SnapWord& earlier) {
+    std::erase_if(bends, [&](const evidence::SnapWord& earlier) {
       return earlier.hook == edit.key.body && std::find(edges.begin(), edges.end(), earlier.edge) != edges.end();
     });
     if (edit.word != JointEdit::Word::Confirmed || !edit.made || !(edit.made->bend > 0.0)) continue;
@@ -320,7 +320,7 @@ std::vector<check::SnapWord> bendsOf(const std::vector<JointEdit>& edits) {
   return bends;
 }
 
-std::vector<check::SnapWord> bendsOf(const Joints& joints, const AssembledProduct& product) {
+std::vector<evidence::SnapWord> bendsOf(const Joints& joints, const AssembledProduct& product) {
   return bendsOf(withBends({}, joints, product));
 }
 

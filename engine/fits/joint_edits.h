@@ -24,10 +24,10 @@ JointEdit confirmationOf(const Joint& joint, const AssembledProduct& product);
 std::vector<JointEdit> confirmationsOf(const Joints& joints, const AssembledProduct& product);
 
 /// The bends of hooks that a person confirms; the last statement about a snap counts.
-std::vector<check::SnapWord> bendsOf(const std::vector<JointEdit>& edits);
+std::vector<evidence::SnapWord> bendsOf(const std::vector<JointEdit>& edits);
 
 /// The bends of the snaps that count.
-std::vector<check::SnapWord> bendsOf(const Joints& joints, const AssembledProduct& product);
+std::vector<evidence::SnapWord> bendsOf(const Joints& joints, const AssembledProduct& product);
 
 /// The edits, with the bends of the joints as a person's statements: a plan states the bends that it depends on.
 std::vector<JointEdit> withBends(std::vector<JointEdit> edits, const Joints& joints, const AssembledProduct& product);

@@ -9,7 +9,7 @@ namespace glissade {
 
 JudgedThreads::JudgedThreads(const AssembledProduct& product) : product_(product), words_(wordsOf(product.fits)) {}
 
-check::Body JudgedThreads::bodyAt(std::size_t index) const {
+evidence::Body JudgedThreads::bodyAt(std::size_t index) const {
   const RigidBody& own = product_.bodies[index];
   return {own.id, own.shown(), own.mesh, own.X_WB, product_.spacingOf(index), product_.deflections[index]};
 }
@@ -17,17 +17,18 @@ check::Body JudgedThreads::bodyAt(std::size_t index) const {
 /// True if the judge permits a pull: for meshes without stated faces, by a person's statement, and for a hollow pair
 /// that the evidence would refuse without an accepted clash.
 bool JudgedThreads::mayBePulled(std::size_t body, std::size_t other, const std::vector<Fit>& fits) {
-  const check::Body own = bodyAt(body);
-  const check::Body obstacle = bodyAt(other);
+  const evidence::Body own = bodyAt(body);
+  const evidence::Body obstacle = bodyAt(other);
   if (own.mesh->faces.empty() || obstacle.mesh->faces.empty()) return true;
   if (!words_.partingOf(own.id, obstacle.id).empty()) return true;
   if (std::none_of(fits.begin(), fits.end(), [](const Fit& fit) { return fit.hollow; })) return false;
-  check::FitWords strict = words_;
+  evidence::FitWords strict = words_;
   strict.acceptedClash = 0.0;
   return !placed_.boundsOf({own, own.X_WB}, {obstacle, obstacle.X_WB}, strict, nullptr, {}).refused().empty();
 }
 
-std::vector<check::CommonThread> JudgedThreads::of(std::size_t body, std::size_t other, const std::vector<Fit>& fits) {
+std::vector<evidence::CommonThread> JudgedThreads::of(std::size_t body, std::size_t other,
+                                                      const std::vector<Fit>& fits) {
   double overlap = 0.0;
   bool isCalledThread = false;
   for (const Fit& fit : fits) {
@@ -36,11 +37,11 @@ std::vector<check::CommonThread> JudgedThreads::of(std::size_t body, std::size_t
     isCalledThread = isCalledThread || fit.kind == ContactKind::Thread;
   }
   if ((overlap <= 0.0 && !isCalledThread) || mayBePulled(body, other, fits)) return {};
-  const check::Body own = bodyAt(body);
-  const check::Body obstacle = bodyAt(other);
-  return check::commonThreads({placed_.at({own, own.X_WB}), placed_.at({obstacle, obstacle.X_WB}), overlap,
-                               isCalledThread, nullptr, check::screwSizeIn(own.name),
-                               check::screwSizeIn(obstacle.name)});
+  const evidence::Body own = bodyAt(body);
+  const evidence::Body obstacle = bodyAt(other);
+  return evidence::commonThreads({placed_.at({own, own.X_WB}), placed_.at({obstacle, obstacle.X_WB}), overlap,
+                                  isCalledThread, nullptr, evidence::screwSizeIn(own.name),
+                                  evidence::screwSizeIn(obstacle.name)});
 }
 
 }  // namespace glissade

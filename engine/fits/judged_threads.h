@@ -10,7 +10,7 @@ namespace glissade {
 
 struct AssembledProduct;
 
-/// Threads that the judge sees in pairs with the shapes of their fits (check::commonThreads()). Bodies are prepared
+/// Threads that the judge sees in pairs with the shapes of their fits (evidence::commonThreads()). Bodies are prepared
 /// once. Used by one thread.
 class JudgedThreads {
  public:
@@ -20,15 +20,15 @@ class JudgedThreads {
   /// that no fit calls a thread, for a marked thread, if a person states that they come apart otherwise, for a hollow
   /// pair that would be refused without acceptance, and for meshes without stated faces. `fits`: of the moving body
   /// with the other body.
-  std::vector<check::CommonThread> of(std::size_t body, std::size_t other, const std::vector<Fit>& fits);
+  std::vector<evidence::CommonThread> of(std::size_t body, std::size_t other, const std::vector<Fit>& fits);
 
  private:
-  check::Body bodyAt(std::size_t index) const;
+  evidence::Body bodyAt(std::size_t index) const;
   bool mayBePulled(std::size_t body, std::size_t other, const std::vector<Fit>& fits);
 
   const AssembledProduct& product_;
-  check::FitWords words_;
-  check::PlacedBodies placed_;
+  evidence::FitWords words_;
+  evidence::PlacedBodies placed_;
 };
 
 }  // namespace glissade

@@ -77,7 +77,7 @@ class ObjectContacts {
 
   /// Adds pairs of a hook and its edge, which need not touch.
   void addHooks() {
-    for (const check::SnapWord& snap : question_.product.snaps) {
+    for (const evidence::SnapWord& snap : question_.product.snaps) {
       if (snap.hook != object_.id && snap.edge != object_.id) continue;
       const auto other = question_.product.indexOf(snap.hook == object_.id ? snap.edge : snap.hook);
       if (!other) continue;

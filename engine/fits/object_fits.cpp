@@ -47,7 +47,7 @@ struct Decision {
 
 /// The evidence, which is measured face by face, decides whether an overlap is a clash. A smaller requested limit still
 /// gives the pair its kind.
-Decision decide(const Contact& contact, const FitEdit* edit, bool accepted, const check::PairBounds& bounds,
+Decision decide(const Contact& contact, const FitEdit* edit, bool accepted, const evidence::PairBounds& bounds,
                 const ContactLimits& limits) {
   Decision decision{contact.kind, false, edit != nullptr && edit->allowance, accepted};
   const bool usual = limits.clashOverlap == ContactLimits().clashOverlap;
@@ -90,11 +90,11 @@ class FitFinder {
 
   /// True if the obstacle has the hook that bends; nothing if the pair is no snap.
   std::optional<bool> hookYields(std::size_t obstacle) const {
-    const check::SnapWord* snap = words_.snapOf(object_.id, body(obstacle).id);
+    const evidence::SnapWord* snap = words_.snapOf(object_.id, body(obstacle).id);
     return snap == nullptr ? std::nullopt : std::optional(snap->hook != object_.id);
   }
 
-  check::Body measuredBody(std::size_t index) const {
+  evidence::Body measuredBody(std::size_t index) const {
     const RigidBody& own = body(index);
     return {own.id,
             own.shown(),
@@ -104,14 +104,16 @@ class FitFinder {
             question_.product.deflections[index]};
   }
 
-  const check::PairWord* wordAbout(std::size_t obstacle) const { return words_.about(object_.id, body(obstacle).id); }
+  const evidence::PairWord* wordAbout(std::size_t obstacle) const {
+    return words_.about(object_.id, body(obstacle).id);
+  }
 
-  check::PairBounds boundsWith(std::size_t obstacle, const check::PairWord* word) const {
-    const check::Body own = measuredBody(question_.object);
-    const check::Body fixed = measuredBody(obstacle);
-    std::optional<check::PairBounds> bounds;
+  evidence::PairBounds boundsWith(std::size_t obstacle, const evidence::PairWord* word) const {
+    const evidence::Body own = measuredBody(question_.object);
+    const evidence::Body fixed = measuredBody(obstacle);
+    std::optional<evidence::PairBounds> bounds;
     for (const Pose& end : ends_) {
-      const check::PairBounds found = tools_.placed.boundsOf({own, end}, {fixed, fixed.X_WB}, words_, word, stop_);
+      const evidence::PairBounds found = tools_.placed.boundsOf({own, end}, {fixed, fixed.X_WB}, words_, word, stop_);
       bounds = bounds ? united(*bounds, found) : found;
     }
     return *bounds;
@@ -127,7 +129,7 @@ class FitFinder {
 
   void resolve(std::size_t obstacle, const FoundContact& found) {
     const FitEdit* edit = editAbout(obstacle);
-    const check::PairBounds bounds = boundsWith(obstacle, wordAbout(obstacle));
+    const evidence::PairBounds bounds = boundsWith(obstacle, wordAbout(obstacle));
     const Decision decision =
         decide(found.contact, edit, words_.accepts(wordAbout(obstacle), bounds.depth), bounds, question_.limits);
     Contact& contact = fits_.contacts.emplace_back(found.contact);
@@ -211,7 +213,7 @@ class FitFinder {
     fit.allowance = overlap + found.contact.deviation;
     if (words_.accepts(wordAbout(fit.obstacle), overlap)) {
       fit.cut = cutOf(fit.obstacle, found);
-      const bool isNotClear = fit.cut == check::Cut::NotClear;
+      const bool isNotClear = fit.cut == evidence::Cut::NotClear;
       const CatalogueText reason = isNotClear
                                        ? GLISSADE_TEXT("overlap by %1, and which of the two is cut is not clear")
                                        : GLISSADE_TEXT("overlap by %1, and neither can be cut and stay in one piece");
@@ -236,7 +238,7 @@ class FitFinder {
   /// move less, and a shaft that is taken thinner may be thicker at its end. Else both give way. So do two bodies of
   /// which one is below a part of a face of the other one: while they slide past each other, the part meets the rest of
   /// the face.
-  void takeThinner(const Fit& fit, const check::PairBounds& bounds, const FoundContact& found, bool accepted) {
+  void takeThinner(const Fit& fit, const evidence::PairBounds& bounds, const FoundContact& found, bool accepted) {
     const RigidBody& other = body(fit.obstacle);
     const bool isInPatches = bounds.one.mesh || bounds.other.mesh;
     std::vector<bool> order = inTurn(fit.obstacle);
@@ -265,7 +267,7 @@ class FitFinder {
     for (const Fit& unused : takesBoth ? alone : both) forget(unused.thinned);
     fits_.allowed.insert(fits_.allowed.end(), taken.begin(), taken.end());
     if (!taken.empty() || (accepted && takeHollow(fit, found, bounds.depth))) return;
-    if (bounds.depth > 0.0 && cutOf(fit.obstacle, found) != check::Cut::NotWhole) {
+    if (bounds.depth > 0.0 && cutOf(fit.obstacle, found) != evidence::Cut::NotWhole) {
       refuseClash(fit, found, bounds.depth);
       return;
     }
@@ -284,18 +286,18 @@ class FitFinder {
            GLISSADE_TEXT("Mend the parts."));
   }
 
-  check::Cut cutOf(std::size_t obstacle, const FoundContact& found) const {
-    const check::Body own = measuredBody(question_.object);
-    const check::Body other = measuredBody(obstacle);
+  evidence::Cut cutOf(std::size_t obstacle, const FoundContact& found) const {
+    const evidence::Body own = measuredBody(question_.object);
+    const evidence::Body other = measuredBody(obstacle);
     return tools_.placed.cutOf({own, found.measuredAt}, {other, other.X_WB}, words_, stop_);
   }
 
   /// Takes the volume of one body away from the other one, which is cut. `depth`: depth of the overlap, metres.
   bool takeHollow(const Fit& fit, const FoundContact& found, double depth) {
     if (fit.thread || !words_.accepts(wordAbout(fit.obstacle), depth)) return false;
-    const check::Cut cut = cutOf(fit.obstacle, found);
-    if (cut != check::Cut::One && cut != check::Cut::Other) return false;
-    return takeHollow(fit, found, cut == check::Cut::Other, depth);
+    const evidence::Cut cut = cutOf(fit.obstacle, found);
+    if (cut != evidence::Cut::One && cut != evidence::Cut::Other) return false;
+    return takeHollow(fit, found, cut == evidence::Cut::Other, depth);
   }
 
   /// Handles a screw, by its name, in a body that is drawn without a hole: the pair is a thread, and the volume of the
@@ -304,11 +306,11 @@ class FitFinder {
     if (editAbout(fit.obstacle) != nullptr) return false;
     fit.kind = ContactKind::Thread;
     for (const bool yields : {true, false}) {
-      const check::Body own = measuredBody(question_.object);
-      const check::Body other = measuredBody(fit.obstacle);
-      const check::Placement moving{own, found.measuredAt};
-      const check::Placement fixed{other, other.X_WB};
-      const auto screw = check::screwInSolid(yields ? moving : fixed, yields ? fixed : moving, tools_.placed, stop_);
+      const evidence::Body own = measuredBody(question_.object);
+      const evidence::Body other = measuredBody(fit.obstacle);
+      const evidence::Placement moving{own, found.measuredAt};
+      const evidence::Placement fixed{other, other.X_WB};
+      const auto screw = evidence::screwInSolid(yields ? moving : fixed, yields ? fixed : moving, tools_.placed, stop_);
       if (!screw || !takeHollow(fit, found, yields, depth)) continue;
       fits_.contacts.back().kind = ContactKind::Thread;
       fits_.contacts.back().isPlainOverlap = false;
@@ -344,10 +346,10 @@ class FitFinder {
 
   /// `yields`: the obstacle is the hollow body.
   std::optional<HollowFit> hollowFit(std::size_t obstacle, const FoundContact& found, bool yields) const {
-    const check::Body ownBody = measuredBody(question_.object);
-    const check::Body otherBody = measuredBody(obstacle);
-    const check::Placement own{ownBody, found.measuredAt};
-    const check::Placement other{otherBody, otherBody.X_WB};
+    const evidence::Body ownBody = measuredBody(question_.object);
+    const evidence::Body otherBody = measuredBody(obstacle);
+    const evidence::Placement own{ownBody, found.measuredAt};
+    const evidence::Placement other{otherBody, otherBody.X_WB};
     return hollowFitOf(yields ? other : own, yields ? own : other, tools_.placed, tools_.thinnable, stop_);
   }
 
@@ -365,11 +367,11 @@ class FitFinder {
     auto pitch = tools_.pitches.of(yields ? other.mesh : object_.mesh);
     if (!pitch) return false;
     if (edit != nullptr && edit->pitch) pitch = edit->pitch;
-    check::PairWord accepted{object_.id, other.id};
+    evidence::PairWord accepted{object_.id, other.id};
     accepted.accepted = true;
-    const check::PairBounds bounds = boundsWith(fit.obstacle, &accepted);
-    const check::Body ownBody = measuredBody(question_.object);
-    const check::Body otherBody = measuredBody(fit.obstacle);
+    const evidence::PairBounds bounds = boundsWith(fit.obstacle, &accepted);
+    const evidence::Body ownBody = measuredBody(question_.object);
+    const evidence::Body otherBody = measuredBody(fit.obstacle);
     const CoreSide own{contactBody(object_, found.measuredAt), tools_.placed.at({ownBody, found.measuredAt}),
                        bounds.one};
     const CoreSide others{contactBody(other, other.X_WB), tools_.placed.at({otherBody, other.X_WB}), bounds.other};
@@ -406,7 +408,7 @@ class FitFinder {
 
   /// Distance from the contact to an opening of the body's surface, metres, if the opening is so near that the inside
   /// is unknown.
-  std::optional<double> openBeside(const RigidBody& body, const check::AllowanceBound& bound) const {
+  std::optional<double> openBeside(const RigidBody& body, const evidence::AllowanceBound& bound) const {
     const ThinnableMesh* thinnable =
         bound.most > 0.0 ? tools_.thinnable.of(bound.mesh ? bound.mesh : body.mesh) : nullptr;
     return thinnable != nullptr ? thinnable->openBeside(bound.atMost) : std::nullopt;
@@ -414,11 +416,11 @@ class FitFinder {
 
   /// Thins one of the two bodies by its evidence, or by less if it has less room, because the deviation of free
   /// surfaces is an estimate. The least allowance is the measured overlap plus the gap.
-  std::vector<Fit> takenAlone(const Fit& fit, bool yields, const check::PairBounds& bounds,
+  std::vector<Fit> takenAlone(const Fit& fit, bool yields, const evidence::PairBounds& bounds,
                               const std::vector<Pose>& ends) {
     constexpr double kShare = 0.25;
-    const check::AllowanceBound& bound = yields ? bounds.other : bounds.one;
-    const bool bends = bound.share > check::kThicknessShare;
+    const evidence::AllowanceBound& bound = yields ? bounds.other : bounds.one;
+    const bool bends = bound.share > evidence::kThicknessShare;
     const double least = bends ? bound.most : std::min(bound.most, bound.largest.overlap + gap_);
     for (double allowance = bound.most;; allowance = std::max(least, kShare * allowance)) {
       if (const auto taken = thinned(fit, yields, bound, allowance)) {
@@ -432,7 +434,7 @@ class FitFinder {
   }
 
   /// Empty if one of them has no room, or if thinning both does not free the pair.
-  std::vector<Fit> bothThinner(const Fit& fit, const check::PairBounds& bounds, const std::vector<Pose>& ends) {
+  std::vector<Fit> bothThinner(const Fit& fit, const evidence::PairBounds& bounds, const std::vector<Pose>& ends) {
     const auto own = thinned(fit, false, bounds.one, bounds.one.most);
     const auto others = thinned(fit, true, bounds.other, bounds.other.most);
     if (!own || !others) return {};
@@ -499,7 +501,7 @@ class FitFinder {
   }
 
   /// Nothing if the body has no room for the allowance.
-  std::optional<Fit> thinned(Fit fit, bool yields, const check::AllowanceBound& bound, double allowance) const {
+  std::optional<Fit> thinned(Fit fit, bool yields, const evidence::AllowanceBound& bound, double allowance) const {
     if (allowance <= 0.0) return std::nullopt;
     const MeshPtr& own = yields ? body(fit.obstacle).mesh : object_.mesh;
     const MeshPtr& whole = bound.mesh ? bound.mesh : own;
@@ -518,7 +520,7 @@ class FitFinder {
   FitTools ownTools_;
   FitTools& tools_;
   double gap_;
-  check::FitWords words_;
+  evidence::FitWords words_;
   ObjectFits fits_;
 };
 
@@ -528,6 +530,6 @@ Result<ObjectFits> findObjectFits(const FitQuestion& question, const StopToken& 
   return FitFinder(question, stop).find();
 }
 
-double assembledGap(double objectRadius) { return check::assembledMargin(objectRadius); }
+double assembledGap(double objectRadius) { return evidence::assembledMargin(objectRadius); }
 
 }  // namespace glissade

@@ -23,7 +23,7 @@ struct ObjectFits {
 
 /// Prepared data of a product's bodies. Thread-safe.
 struct FitTools {
-  check::PlacedBodies placed;
+  evidence::PlacedBodies placed;
   ThinnableBodies thinnable;
   ModelledPitches pitches;
   std::shared_ptr<PreparedBodies> prepared{};  ///< collision bodies of the product; null: there are none
@@ -44,7 +44,7 @@ struct FitQuestion {
 /// The fits of the object with all bodies that it touches at one of the ends; other bodies get no allowance.
 ///
 /// The smaller body of the pair is thinned; if it has no room, the other body; if neither has enough room, both. A face
-/// is thinned by no more than its evidence (check::boundsOf()): the measured overlap, the deflections and the
+/// is thinned by no more than its evidence (evidence::boundsOf()): the measured overlap, the deflections and the
 /// coordinate spacing that the files state, assembledGap(), and a person's allowance. It is thinned by less if the body
 /// has less room and less is enough. An accepted clash is allowed. If no allowance makes the pair free at the ends, the
 /// pair is a clash. A pair that is marked as a thread need not touch.

@@ -43,7 +43,7 @@ class BendTrial {
  private:
   Box3 boxOf(std::size_t body) const { return boundingBox(*product_.bodies[body].mesh, product_.bodies[body].X_WB); }
 
-  check::Body measured(std::size_t index) const {
+  evidence::Body measured(std::size_t index) const {
     const RigidBody& body = product_.bodies[index];
     return {body.id, body.shown(), body.mesh, body.X_WB, product_.spacingOf(index), product_.deflections[index]};
   }
@@ -53,11 +53,11 @@ class BendTrial {
   }
 
   bool passes(std::size_t edge, const Vector3& direction, double bend) {
-    const check::Body own = measured(body_);
-    const check::Body other = measured(edge);
-    check::FitWords words{true, 0.0, {}, {}};
+    const evidence::Body own = measured(body_);
+    const evidence::Body other = measured(edge);
+    evidence::FitWords words{true, 0.0, {}, {}};
     if (bend > 0.0) words.snaps = {{own.id, other.id, bend, direction}};
-    const check::AllowanceBound bound =
+    const evidence::AllowanceBound bound =
         placed_.boundsOf({own, own.X_WB}, {other, other.X_WB}, words, nullptr, stop_).one;
     const ThinnableMesh* thinnable = thinnable_.of(bound.mesh ? bound.mesh : hook_.mesh);
     if (thinnable == nullptr) return false;
@@ -81,7 +81,7 @@ class BendTrial {
   const StopToken& stop_;
   Box3 others_;
   std::map<std::size_t, CollisionWorldPtr> worlds_;  ///< one for each edge
-  check::PlacedBodies placed_;
+  evidence::PlacedBodies placed_;
   ThinnableBodies thinnable_;
 };
 
@@ -90,7 +90,7 @@ class BendTrial {
 std::vector<SnapWay> snapWays(const AssembledProduct& product, std::size_t body, const std::vector<std::size_t>& edges,
                               const StopToken& stop) {
   BendTrial trial(product, body, edges, stop);
-  const double most = check::mostBendOf(*product.bodies[body].mesh);
+  const double most = evidence::mostBendOf(*product.bodies[body].mesh);
   std::vector<SnapWay> ways;
   for (int axis = 0; axis < 6 && !stop.stopRequested(); ++axis) {
     const Vector3 direction = (axis % 2 == 0 ? 1.0 : -1.0) * Vector3::Unit(axis / 2);
@@ -100,8 +100,8 @@ std::vector<SnapWay> snapWays(const AssembledProduct& product, std::size_t body,
 }
 
 bool keepsToWay(const Vector3& way, const RigidBody& body, const std::vector<Pose>& path, const RigidBody& other) {
-  return check::goesAlong(way, {body.id, body.name, body.mesh, body.X_WB}, path,
-                          {other.id, other.name, other.mesh, other.X_WB});
+  return evidence::goesAlong(way, {body.id, body.name, body.mesh, body.X_WB}, path,
+                             {other.id, other.name, other.mesh, other.X_WB});
 }
 
 }  // namespace glissade

@@ -20,7 +20,7 @@ struct SnapWay {
 std::vector<SnapWay> snapWays(const AssembledProduct& product, std::size_t body, const std::vector<std::size_t>& edges,
                               const StopToken& stop);
 
-/// True if the judge counts the bend of a hook of either body on the path: see check::goesAlong(). `path`:
+/// True if the judge counts the bend of a hook of either body on the path: see evidence::goesAlong(). `path`:
 /// configurations of the body; `way`: its exit direction, unit, world frame.
 bool keepsToWay(const Vector3& way, const RigidBody& body, const std::vector<Pose>& path, const RigidBody& other);
 

@@ -42,7 +42,7 @@ double pitchOfDepth(double radius, double depth) {
 
 bool isThreadDepth(double radius, double depth) {
   const double inPitches = kLeastDepthInPitches * isoCoarsePitch(radius).pitch;
-  return depth > kLeastDepth * radius && depth > std::min(inPitches, check::kLeastThreadDepth * radius);
+  return depth > kLeastDepth * radius && depth > std::min(inPitches, evidence::kLeastThreadDepth * radius);
 }
 
 }  // namespace glissade

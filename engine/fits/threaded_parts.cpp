@@ -213,8 +213,8 @@ class ThreadedPartFinder {
       if (inWorld.vertices.empty()) {
         inWorld = transformed(*shapes_.body(crested).mesh, shapes_.body(crested).X_WB);
       }
-      const check::RoundFace face{wall.point, wall.direction, wall.radius, wall.shaft, wall.low, wall.high};
-      const auto crests = check::crestsInto(face, inWorld, stop_);
+      const evidence::RoundFace face{wall.point, wall.direction, wall.radius, wall.shaft, wall.low, wall.high};
+      const auto crests = evidence::crestsInto(face, inWorld, stop_);
       if (!crests || crests->pitch == 0.0) continue;
       const Span ofCrests{crests->low, crests->high};
       const Span ofWall{wall.low, wall.high};
@@ -247,9 +247,9 @@ Joints findThreadedParts(const ProductShapes& shapes, const Joints& known, const
 }
 
 Joint jointOfThread(const ProductShapes& shapes, const std::pair<std::size_t, std::size_t>& pair,
-                    const std::vector<check::CommonThread>& threads) {
+                    const std::vector<evidence::CommonThread>& threads) {
   std::optional<DrawnThread> longest;
-  for (const check::CommonThread& each : threads) {
+  for (const evidence::CommonThread& each : threads) {
     const Span own{each.low, each.high};
     const Span others{each.lowOther, each.highOther};
     const DrawnThread drawn{each.movingIsShaft ? pair.first : pair.second,

@@ -16,9 +16,9 @@ namespace glissade {
 /// insert that is only suggested. Ordered by body.
 Joints findThreadedParts(const ProductShapes& shapes, const Joints& known, const StopToken& stop);
 
-/// The joint of a pair with these threads (check::commonThreads()); the thread that is engaged longest counts. `pair`:
-/// the moving body and the other body.
+/// The joint of a pair with these threads (evidence::commonThreads()); the thread that is engaged longest counts.
+/// `pair`: the moving body and the other body.
 Joint jointOfThread(const ProductShapes& shapes, const std::pair<std::size_t, std::size_t>& pair,
-                    const std::vector<check::CommonThread>& threads);
+                    const std::vector<evidence::CommonThread>& threads);
 
 }  // namespace glissade

@@ -21,16 +21,16 @@ namespace glissade {
 struct StepAllowance {
   std::string body;  ///< id of the other body
   ContactKind kind = ContactKind::Contact;
-  double overlap = 0.0;                       ///< measured overlap, metres
-  double allowance = 0.0;                     ///< metres
-  Message text;                               ///< description, with names
-  std::string moving{};                       ///< id of the moving body; empty: the first body of the step
-  bool yields = false;                        ///< the other body is taken thinner, not the moving one
-  bool hollow = false;                        ///< the volume that the other body of the pair fills is taken away
-  std::optional<check::StatedThread> core{};  ///< thread of the body, taken away against the other body
-  double pitch = 0.0;          ///< pitch of a thread that comes apart by turning only, metres a turn; 0: none
-  double turns = 0.0;          ///< turns of the body in the thread, right-handed about the direction in which it leaves
-  check::Evidence evidence{};  ///< evidence for the largest allowance of the pair; all zero: the file does not say
+  double overlap = 0.0;                          ///< measured overlap, metres
+  double allowance = 0.0;                        ///< metres
+  Message text;                                  ///< description, with names
+  std::string moving{};                          ///< id of the moving body; empty: the first body of the step
+  bool yields = false;                           ///< the other body is taken thinner, not the moving one
+  bool hollow = false;                           ///< the volume that the other body of the pair fills is taken away
+  std::optional<evidence::StatedThread> core{};  ///< thread of the body, taken away against the other body
+  double pitch = 0.0;  ///< pitch of a thread that comes apart by turning only, metres a turn; 0: none
+  double turns = 0.0;  ///< turns of the body in the thread, right-handed about the direction in which it leaves
+  evidence::Evidence evidence{};  ///< evidence for the largest allowance of the pair; all zero: the file does not say
 };
 
 /// Whether a tool can be brought on when a step begins.

@@ -44,7 +44,7 @@ Result<ProductFits> ProductFits::find(const AssembledProduct& product, ThreadTea
     found.moving_[body].axes = glissade::axesOf(table->objects()[body].contacts);
   }
   for (const PairFit& pair : table->pairs()) found.contacts_.push_back(pair.contact);
-  for (const check::SnapWord& snap : product.snaps) {
+  for (const evidence::SnapWord& snap : product.snaps) {
     const auto hook = product.indexOf(snap.hook);
     const auto edge = product.indexOf(snap.edge);
     if (!hook || !edge) continue;

@@ -124,7 +124,7 @@ Message StuckReasons::ofClashes(const BodyGroup& unit) const {
 Message StuckReasons::ofAcceptedClash(std::size_t body, const Fit& clash) const {
   const std::string& other = name(clash.obstacle);
   const Depth depth{clash.overlap};
-  if (*clash.cut == check::Cut::NotClear) {
+  if (*clash.cut == evidence::Cut::NotClear) {
     return {
         GLISSADE_TEXT("the clash of it and '%1' (%2) is accepted, and which of the two is cut is not clear: name the "
                       "one that is cut (--cut \"%3\" or --cut \"%1\")"),

@@ -55,7 +55,7 @@ const ThreadDemands::Threads* ThreadDemands::of(std::size_t body, std::size_t ot
 
 Message ThreadDemands::pulled(std::size_t body, std::size_t other, const std::vector<Pose>& path) const {
   const Threads* threads = of(body, other);
-  return threads == nullptr ? Message() : check::pulledThread(*threads, path);
+  return threads == nullptr ? Message() : evidence::pulledThread(*threads, path);
 }
 
 Joints ThreadDemands::withThreads(Joints joints, const ProductShapes& shapes) const {

@@ -13,11 +13,11 @@
 namespace glissade {
 
 /// The threads that bodies of a product leave by turning only, as the judge demands of every step
-/// (check::commonThreads()). Pairs whose joint a person has dissolved or pressed out are left out, and so are all pairs
-/// if the demands use no joints. Immutable, shared by threads.
+/// (evidence::commonThreads()). Pairs whose joint a person has dissolved or pressed out are left out, and so are all
+/// pairs if the demands use no joints. Immutable, shared by threads.
 class ThreadDemands {
  public:
-  using Threads = std::vector<check::CommonThread>;
+  using Threads = std::vector<evidence::CommonThread>;
 
   /// Refers to the product.
   ThreadDemands(const AssembledProduct& product, const ProductFits& fits, const SequenceDemands& demands);

@@ -83,7 +83,7 @@ class SequencePlanner final : public QObject {
     std::mutex mutex;
     ProductPtr product;
     std::shared_ptr<const ProductFits> fits;  ///< found with `bends`; null: not searched yet
-    std::vector<check::SnapWord> bends;
+    std::vector<evidence::SnapWord> bends;
     std::vector<std::string> classes;
     std::shared_ptr<const Joints> joints;  ///< found with `classes`; null: not searched yet
   };

@@ -9,7 +9,7 @@
 
 namespace glissade::test {
 
-inline check::Body checkBody(const std::string& id, TriangleMesh mesh, const Vector3& at = Vector3::Zero()) {
+inline evidence::Body checkBody(const std::string& id, TriangleMesh mesh, const Vector3& at = Vector3::Zero()) {
   return {id, id, std::make_shared<const TriangleMesh>(std::move(mesh)), Pose::translation(at)};
 }
 

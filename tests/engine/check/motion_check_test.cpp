@@ -249,11 +249,11 @@ TEST(RaySolid, AgreesWithWhatIsInsideByConstruction) {
   TriangleMesh cavity = makeBox({1, 1, 1});
   for (TriangleIndices& corners : cavity.triangles) std::swap(corners[0], corners[1]);
   append(hollow, cavity);
-  const check::RaySolid shell(hollow);
+  const evidence::RaySolid shell(hollow);
   EXPECT_EQ(shell.partPoints().size(), 2U);
   TriangleMesh overlapping = makeBox({2, 2, 2});
   append(overlapping, transformed(makeBox({2, 2, 2}), Pose::translation({1, 0, 0})));
-  const check::RaySolid both(overlapping);
+  const evidence::RaySolid both(overlapping);
   RandomStream stream(3, "points");
   for (int i = 0; i < 500; ++i) {
     const Vector3 p = randomPose(stream, 2.0).position;
@@ -265,7 +265,7 @@ TEST(RaySolid, AgreesWithWhatIsInsideByConstruction) {
   EXPECT_TRUE(both.contains(Vector3::Zero())) << "rays through edges are drawn anew";
   TriangleMesh open = makeBox({2, 2, 2});
   open.triangles.pop_back();
-  EXPECT_FALSE(check::RaySolid(open).contains(Vector3(0.1, 0.2, 0.3)));
+  EXPECT_FALSE(evidence::RaySolid(open).contains(Vector3(0.1, 0.2, 0.3)));
 }
 
 }  // namespace

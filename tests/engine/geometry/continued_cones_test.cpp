@@ -79,7 +79,7 @@ TEST(ContinuedCones, AChamferGoesWhereItsCylinderGoes) {
     ASSERT_TRUE(thinnable);
     const auto planned = thinnable->thinned(ofCylinder(mesh, taken));
     ASSERT_TRUE(planned);
-    for (const TriangleMesh& thin : {*planned, check::thinned(mesh, ofCylinder(mesh, taken))}) {
+    for (const TriangleMesh& thin : {*planned, evidence::thinned(mesh, ofCylinder(mesh, taken))}) {
       double widest = 0.0;
       double least = bolt.radius;
       for (const Vector3& p : thin.vertices) {

@@ -124,7 +124,7 @@ TEST(ThinnedMesh, TheJudgeThinsAlike) {
     const double allowance = 0.0005 * random.uniform();
     const auto thinned = ThinnableMesh::of(mesh)->thinned(allowance);
     ASSERT_TRUE(thinned);
-    expectAlike(check::thinned(mesh, std::vector<double>(mesh.triangles.size(), allowance)), *thinned);
+    expectAlike(evidence::thinned(mesh, std::vector<double>(mesh.triangles.size(), allowance)), *thinned);
   }
 }
 
@@ -222,7 +222,7 @@ TEST(ThinnedMesh, AnOpenBodyIsNeverLargerThanTheWholeOne) {
       const auto thinned = body->thinned(allowances);
       ++(thinned ? thinnedOnes : refused);
       if (!thinned) continue;
-      expectAlike(check::thinned(open, allowances), *thinned);
+      expectAlike(evidence::thinned(open, allowances), *thinned);
       const double rounding = 1e-9 + 0.01 * allowance;
       const TriangleTree surface(whole);
       for (const TriangleIndices& t : thinned->triangles) {

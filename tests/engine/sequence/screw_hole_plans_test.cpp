@@ -91,12 +91,12 @@ TEST(ScrewHolePlan, TheJudgeReadsSizesOfScrewsByItself) {
        {std::pair("DIN 912 M4x10 1", 4.0), std::pair("ISO 7049 ST4.2x35", 4.2),
         std::pair("SHCS 1_4-20 x 1", 0.25 * inch), std::pair("#10-32 BHCS", 0.19 * inch),
         std::pair("wood screw 5x40", 5.0), std::pair("M2.5 x 6", 2.5)}) {
-    const auto size = check::screwSizeIn(name);
+    const auto size = evidence::screwSizeIn(name);
     ASSERT_TRUE(size) << name;
     EXPECT_NEAR(1e3 * *size, millimetres, 1e-6) << name;
   }
   for (const char* name : {"motor", "ISO 4032 M10", "hex nut M4x10", "plate 4x40", "M4 standoff", ""}) {
-    EXPECT_FALSE(check::screwSizeIn(name)) << name;
+    EXPECT_FALSE(evidence::screwSizeIn(name)) << name;
   }
 }
 

@@ -100,10 +100,10 @@ TEST(SnapWays, AHookThatIsThickerThanItsArmDoesNotBendSoFar) {
 TEST(Hooks, AreTheFacesThatTheEdgePassesAndNoOthers) {
   const AssembledProduct product = cappedHole(0.0005);
   const RigidBody& cap = product.bodies[1];
-  const check::PlacedBody hook({cap.id, cap.name, cap.mesh, cap.X_WB}, cap.X_WB);
-  const check::PlacedBody edge({"plate", "plate", product.bodies[0].mesh, product.bodies[0].X_WB},
-                               product.bodies[0].X_WB);
-  const auto regions = check::hookRegions({hook, edge, Vector3::UnitZ(), 0.0005}, {});
+  const evidence::PlacedBody hook({cap.id, cap.name, cap.mesh, cap.X_WB}, cap.X_WB);
+  const evidence::PlacedBody edge({"plate", "plate", product.bodies[0].mesh, product.bodies[0].X_WB},
+                                  product.bodies[0].X_WB);
+  const auto regions = evidence::hookRegions({hook, edge, Vector3::UnitZ(), 0.0005}, {});
   for (std::uint32_t t = 0; t < hook.normals.size(); ++t) {
     const Triangle& triangle = hook.tree.triangles()[t];
     const Vector3 middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
@@ -115,7 +115,7 @@ TEST(Hooks, AreTheFacesThatTheEdgePassesAndNoOthers) {
     }
     EXPECT_TRUE(regions[hook.regions.of[t]] || !isOfNose || catches) << middle.transpose();
   }
-  const auto back = check::hookRegions({hook, edge, -Vector3::UnitZ(), 0.0005}, {});
+  const auto back = evidence::hookRegions({hook, edge, -Vector3::UnitZ(), 0.0005}, {});
   for (std::uint32_t t = 0; t < hook.normals.size(); ++t) {
     EXPECT_TRUE(!back[hook.regions.of[t]] || hook.tree.triangles()[t][0].z() > 0.003) << "only the flange";
   }

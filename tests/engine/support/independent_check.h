@@ -23,7 +23,7 @@ struct ThinnerFaces {
   MeshPtr mesh{};  ///< of these triangles; null: the body's own
 
   bool operator<(const ThinnerFaces& b) const { return std::tie(allowances, mesh) < std::tie(b.allowances, b.mesh); }
-  TriangleMesh of(const TriangleMesh& body) const { return check::thinned(mesh ? *mesh : body, allowances); }
+  TriangleMesh of(const TriangleMesh& body) const { return evidence::thinned(mesh ? *mesh : body, allowances); }
 };
 /// The faces of the object against each obstacle.
 using FaceAllowances = std::vector<ThinnerFaces>;
@@ -41,15 +41,16 @@ inline FaceAllowances everywhere(const std::vector<double>& allowances, const Tr
 inline ThinnerFaces faceAllowances(const Fit& fit, const AssembledProduct& product) {
   const auto bodyAt = [&](std::size_t index) {
     const RigidBody& body = product.bodies[index];
-    return check::Body{body.id, body.name, body.mesh, body.X_WB, product.spacingOf(index), product.deflections[index]};
+    return evidence::Body{
+        body.id, body.name, body.mesh, body.X_WB, product.spacingOf(index), product.deflections[index]};
   };
-  const check::Body object = bodyAt(product.bodies.size() - 1);
-  const check::Body other = bodyAt(fit.obstacle);
-  const check::FitWords words = wordsOf(product.fits);
-  check::PlacedBodies placed;
-  const check::PairBounds bounds =
+  const evidence::Body object = bodyAt(product.bodies.size() - 1);
+  const evidence::Body other = bodyAt(fit.obstacle);
+  const evidence::FitWords words = wordsOf(product.fits);
+  evidence::PlacedBodies placed;
+  const evidence::PairBounds bounds =
       placed.boundsOf({object, object.X_WB}, {other, other.X_WB}, words, words.about(object.id, other.id), {});
-  const check::AllowanceBound& bound = fit.yields ? bounds.other : bounds.one;
+  const evidence::AllowanceBound& bound = fit.yields ? bounds.other : bounds.one;
   ThinnerFaces faces{bound.atMost, bound.mesh};
   for (double& each : faces.allowances) each = std::min(each, fit.allowance);
   return faces;
@@ -156,7 +157,7 @@ class IndependentCheck {
   static NearestObstacle nearestOf(const check::Nearest& nearest) {
     return {nearest.distance, nearest.body, nearest.onBody, nearest.onMoving};
   }
-  static check::Thread threadOf(const ThreadRule& rule) {
+  static evidence::Thread threadOf(const ThreadRule& rule) {
     return {static_cast<std::size_t>(rule.obstacle),
             rule.point_W,
             rule.axis_W,
