@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 #include "engine/base/depth_text.h"
 #include "engine/base/french_texts.h"
@@ -42,10 +41,11 @@ bool isPlaceholder(std::string_view text, std::size_t at) {
 }
 
 /// True if a noun with this number is singular. English: one; French: less than two.
-bool isSingular(std::string number, Language language) {
+bool isSingular(std::string_view number, Language language) {
   if (language == Language::English) return number == "1";
-  std::replace(number.begin(), number.end(), ',', '.');
-  const auto value = toNumber(number);
+  std::string decimal(number);
+  std::replace(decimal.begin(), decimal.end(), ',', '.');
+  const auto value = toNumber(decimal);
   return value && std::abs(*value) < 2.0;
 }
 
@@ -83,8 +83,8 @@ std::string toString(const Message& message, const MessageStyle& style) {
       filled += toString(message.arguments[argument], style);
       ++i;
     } else if (forms && forms->argument < message.arguments.size()) {
-      std::string number = toString(message.arguments[forms->argument], style);
-      filled += isSingular(std::move(number), style.language) ? forms->singular : forms->plural;
+      const std::string number = toString(message.arguments[forms->argument], style);
+      filled += isSingular(number, style.language) ? forms->singular : forms->plural;
       i += forms->length - 1;
     } else {
       filled += text[i];

@@ -275,7 +275,7 @@ const std::map<std::string, std::set<std::string>>& interfacesOfFeatures() {
       {"headset",
        {"devices/device_settings.h", "measure/measure_controller.h", "run/parameter_sliders.h", "run/strategy_use.h",
         "run/refusal_controller.h", "section/section_controller.h", "sequence/sequence_controller.h"}},
-      {"help", {"devices/keyboard_steering.h", "files/sample_scenarios.h"}},
+      {"help", {"devices/keyboard_steering.h", "files/sample_scenarios.h", "paths/kept_paths_panel.h"}},
       {"instruction", {"studies/plot_object.h"}},
       {"paths", {"film/film_dialog.h", "film/film_job.h", "instruction/report_file.h"}},
       {"run", {"files/file_controller.h", "places/rules_dialog.h"}},

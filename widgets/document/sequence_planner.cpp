@@ -97,11 +97,11 @@ std::size_t helpers() { return usableCores() - 1; }
 
 using FitsPtr = std::shared_ptr<const ProductFits>;
 /// Finds the fits of a product before it is planned.
-using FindFits = std::function<Result<FitsPtr>(const Joints& joints, ThreadTeam& team, const WorkWatch& watch)>;
-using FindJoints = std::function<Result<Joints>()>;
+using FitsFinder = std::function<Result<FitsPtr>(const Joints& joints, ThreadTeam& team, const WorkWatch& watch)>;
+using JointsFinder = std::function<Result<Joints>()>;
 
 Result<GrownPlan> planOf(const SequenceJob& job, const WorkWatch& watch, const StopSource& stop,
-                         const FindFits& findFits, const FindJoints& findJoints,
+                         const FitsFinder& findFits, const JointsFinder& findJoints,
                          const AnnouncingHost::Announce& announce) {
   ThreadTeam team(helpers());
   const AssembledProduct& product = *job.product;

@@ -1,4 +1,5 @@
 #include "widgets/help/log_controller.h"
+#include "widgets/paths/kept_paths_panel.h"
 
 #include <glissade/version.h>
 
