@@ -1,5 +1,4 @@
 #include "widgets/help/log_controller.h"
-#include "widgets/paths/kept_paths_panel.h"
 
 #include <glissade/version.h>
 
@@ -12,6 +11,7 @@
 #include "engine/files/product_name.h"
 #include "widgets/controls/diagnostic_text.h"
 #include "widgets/controls/length_text.h"
+#include "widgets/paths/kept_paths_panel.h"
 #include "widgets/workbench/status_text.h"
 
 namespace glissade {
