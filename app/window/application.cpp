@@ -33,8 +33,8 @@
 #include "engine/base/number_text.h"
 #include "engine/scenario/part_files.h"
 #include "widgets/manual/manual_writer.h"
-#include "widgets/plots/picture_file.h"
 #include "widgets/scene3d/stereo_mode.h"
+#include "widgets/studies/picture_file.h"
 
 namespace glissade {
 namespace {

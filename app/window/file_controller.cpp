@@ -12,6 +12,7 @@
 #include "engine/scenario/part_files.h"
 #include "engine/scenario/path_reader.h"
 #include "engine/scenario/product_name.h"
+#include "engine/study/study_folder.h"
 
 namespace glissade {
 
@@ -284,6 +285,8 @@ void FileController::openFiles(const QStringList& files, PartsDialog::Purpose of
     parts_.ask(ofParts, partFiles);
   } else if (isPathFile(files.front().toStdString())) {
     path_.openOrShowError(files.front());
+  } else if (isStudyRunFile(files.front().toStdString())) {
+    emit runOfStudyChosen(files.front());
   } else {
     openInBackground(files.front());
   }

@@ -5,7 +5,7 @@
 #include <QStandardPaths>
 
 #include "app/window/ffmpeg_writer.h"
-#include "widgets/plots/picture_file.h"
+#include "widgets/studies/picture_file.h"
 
 namespace glissade {
 namespace {

@@ -19,7 +19,7 @@
 #include "widgets/commands/window_language.h"
 #include "widgets/instruction/instruction_painter.h"
 #include "widgets/panels/access_texts.h"
-#include "widgets/plots/picture_file.h"
+#include "widgets/studies/picture_file.h"
 #include "widgets/studies/plan_graph_view.h"
 
 namespace glissade {

@@ -10,7 +10,7 @@
 #include "app/window/workbench.h"
 #include "engine/base/file_save.h"
 #include "engine/planning/clearance_profile.h"
-#include "engine/study/study_report.h"
+#include "engine/study/report.h"
 #include "widgets/bridge/background_task.h"
 #include "widgets/panels/path_panel.h"
 

@@ -8,8 +8,8 @@
 
 #include "app/window/sample_scenarios.h"
 #include "engine/scenario/scenario_bodies.h"
-#include "widgets/plots/picture_file.h"
 #include "widgets/scene3d/camera_controller.h"
+#include "widgets/studies/picture_file.h"
 
 namespace glissade {
 namespace {

@@ -16,8 +16,8 @@
 #include "engine/base/file_save.h"
 #include "engine/base/memory_use.h"
 #include "engine/base/number_text.h"
-#include "widgets/plots/picture_file.h"
 #include "widgets/scene3d/camera_controller.h"
+#include "widgets/studies/picture_file.h"
 
 namespace glissade {
 namespace {

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Writes the page of a folder that packaging/benchmarks.sh filled: DIR/benchmarks.html.
 
 usage: benchmark_page.py DIR [--out DIR] [--pdf FILE]
@@ -48,8 +47,8 @@ ORIGIN = (("date", "Date"), ("machine", "Machine"), ("libraries", "Libraries"), 
           ("commit", "Commit"), ("library_build_type", "Google Benchmark, built for"))
 
 
-def main() -> None:
-    options = parser_of("Write the page of the benchmarks.", "folder that packaging/benchmarks.sh filled").parse_args()
+def main(arguments: Optional[list[str]] = None) -> None:
+    options = parser_of("Write the page of the benchmarks.", "folder that packaging/benchmarks.sh filled").parse_args(arguments)
     html = page_of(options.folder, for_paper=bool(options.pdf))
     save_page(html, options.pdf or (options.out or options.folder) / "benchmarks.html", bool(options.pdf))
 

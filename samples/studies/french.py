@@ -25,10 +25,10 @@ FRENCH = {
      "does the same for the first run:"):
         ("Un essai peut être revu dans la fenêtre : Étude > Ouvrir un essai d'une étude, avec son "
          "fichier. Cette commande fait de même pour le premier essai :"),
-    "{0}: {1} runs": "{0} : {1} essais",
+    "{0} (runs: {1})": "{0} (essais\u00a0: {1})",
     "{0} has no seconds for {1} of {2} cells.": "{0} n'a pas de durées pour {1} cellules sur {2}.",
     "{0} has {1} of {2} runs.": "{0} contient {1} essais sur {2}.",
-    "{0} has {1} broken lines, which are left out.": "{0} contient {1} lignes illisibles, qui sont omises.",
+    "Lines of {0} that cannot be read and are left out: {1}.": "Lignes de {0} illisibles et omises\u00a0: {1}.",
     ("Seconds and memory depend on the machine that carried out the run. Of the sections above, only "
      "findings and plots in seconds depend on it. This report was written on {0}."):
         ("Les secondes et la mémoire dépendent de la machine qui a fait l'essai. Parmi les sections "
@@ -91,6 +91,7 @@ FRENCH = {
     "mean of {0} over the solved runs": "moyenne de «\u00a0{0}\u00a0» sur les essais résolus",
     "median of {0} over all runs": "médiane de «\u00a0{0}\u00a0» sur tous les essais",
     "median of {0} over the solved runs": "médiane de «\u00a0{0}\u00a0» sur les essais résolus",
+    "none": "aucun",
     "{0} has not been run": "{0} n'a pas été calculé",
     "{0} of {1}": "{0} sur {1}",
     "{0} of {1}, {2} of them solved, in {3} cells": "{0} sur {1}, dont {2} résolus, en {3} cellules",

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Writes the page of a study: settings, the paper's table beside ours, findings, plots, pictures, runs and times.
 
 usage: report.py DIR [--out DIR] [--pdf FILE] [--plots DIR] [--language en|fr]
@@ -8,9 +7,11 @@ usage: report.py DIR [--out DIR] [--pdf FILE] [--plots DIR] [--language en|fr]
 
 from __future__ import annotations
 
+import os
 import shlex
 import sys
 from pathlib import Path
+from typing import Optional
 
 from page import Page
 from script import carry_out, describe_machine, parser_of, save_page
@@ -18,23 +19,23 @@ from study_results import StudyResults, read_results
 from words import Words
 
 
-def main() -> None:
+def main(arguments: Optional[list[str]] = None) -> None:
     parser = parser_of("Write the page of a study.", "folder of results")
     parser.add_argument("--plots", type=Path, metavar="DIR", help="save each plot as an SVG file there, too")
-    options = parser.parse_args()
+    options = parser.parse_args(arguments)
     out = options.out or options.folder
     # The tables are where the page is written, where DIR cannot be written.
     tables = out if (out / "summary.json").exists() else options.folder
     words = Words(options.language)
     results = read_results(tables)
-    html = page_of(results, options.folder, words, for_paper=bool(options.pdf))
+    html = page_of(results, options.folder, out, words, for_paper=bool(options.pdf))
     save_page(html, options.pdf or out / "report.html", bool(options.pdf))
     if options.plots:
         save_plots(results, words, options.plots)
 
 
-def page_of(results: StudyResults, folder: Path, words: Words, for_paper: bool = False) -> str:
-    """The page as HTML. On paper it has no list of runs."""
+def page_of(results: StudyResults, folder: Path, out: Path, words: Words, for_paper: bool = False) -> str:
+    """The page as HTML in the folder `out`. On paper it has no list of runs."""
     import study_tables as tables
 
     page = Page(words(results.title), words.language)
@@ -60,7 +61,7 @@ def page_of(results: StudyResults, folder: Path, words: Words, for_paper: bool =
     page.heading(words("How runs ended"))
     page.table(tables.endings_table(results, words))
     if not for_paper:
-        _add_runs(page, results, folder, words)
+        _add_runs(page, results, folder, out, words)
     _add_commands(page, results, words)
     page.heading(words("Time on the machine"))
     page.text(words("Seconds and memory depend on the machine that carried out the run. Of the sections above, only "
@@ -97,7 +98,7 @@ def _add_pictures(page: Page, folder: Path, words: Words) -> None:
         page.picture(file.read_bytes(), text.read_text(encoding="utf-8") if text.exists() else file.stem)
 
 
-def _add_runs(page: Page, results: StudyResults, folder: Path, words: Words) -> None:
+def _add_runs(page: Page, results: StudyResults, folder: Path, out: Path, words: Words) -> None:
     import study_tables as tables
 
     page.heading(words("Runs"))
@@ -107,7 +108,8 @@ def _add_runs(page: Page, results: StudyResults, folder: Path, words: Words) -> 
     for number, cell in enumerate(results.cells, 1):
         runs = [run for run in results.runs if run.cell == number]
         if runs:
-            page.folded(words("{0}: {1} runs", cell.label, len(runs)), tables.runs_table(runs, words))
+            table = tables.runs_table(runs, os.path.relpath(folder, out), words)
+            page.folded(words("{0} (runs: {1})", cell.label, len(runs)), table)
 
 
 def _add_commands(page: Page, results: StudyResults, words: Words) -> None:

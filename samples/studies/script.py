@@ -50,7 +50,7 @@ def carry_out(main: Callable[[], None]) -> int:
         name = (error.name or "").split(".")[0]
         if name not in PACKAGES:
             raise
-        print(f"{name}: is not installed. Install it: apt install {PACKAGES[name]}", file=sys.stderr)
+        print(f"{name} (apt install {PACKAGES[name]})", file=sys.stderr)
         return EXIT_MODULE_MISSING
     except ResultsError as error:
         print(error, file=sys.stderr)

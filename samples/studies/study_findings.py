@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, Optional
+from typing import Optional
 
 from number_text import percent, short_number
-from study_results import Cell, Quantity, StudyResults
+from study_results import Cell, Finding, StudyResults
 from words import Words
 
 HOLDS = "holds"
@@ -27,17 +27,15 @@ class CheckedFinding:
     numbers: str = ""
 
 
-def check_finding(finding: dict[str, Any], results: StudyResults, words: Words) -> CheckedFinding:
+def check_finding(finding: Finding, results: StudyResults, words: Words) -> CheckedFinding:
     """Compares every pair of cells that the finding speaks of, or every cell with its number."""
     check = _Check(finding, words)
-    than = finding["than"]
-    for cell in _selected(finding["cells"], results.cells):
-        if not isinstance(than, dict):
-            check.compare_with_number(cell, float(than))
+    for cell in _selected(finding.cells, results.cells):
+        if not isinstance(finding.than, dict):
+            check.compare_with_number(cell, finding.than)
             continue
-        for other in _selected(than, results.cells):
-            if other is not cell and all(getattr(cell, key) == getattr(other, key)
-                                         for key in finding.get("pair_by", [])):
+        for other in _selected(finding.than, results.cells):
+            if other is not cell and all(getattr(cell, key) == getattr(other, key) for key in finding.pair_by):
                 check.compare(cell, other)
     return check.conclude()
 
@@ -52,10 +50,10 @@ def _selected(selection: dict[str, list[str]], cells: list[Cell]) -> list[Cell]:
 class _Check:
     """Notes pairs, and keeps the one with the strongest evidence against the finding."""
 
-    def __init__(self, finding: dict[str, Any], words: Words) -> None:
-        self._quantity: Quantity = finding["quantity"]
-        self._below = finding["is"] == "below"
-        self._factor = float(finding.get("factor", 1.0))
+    def __init__(self, finding: Finding, words: Words) -> None:
+        self._quantity = finding.quantity
+        self._below = finding.below
+        self._factor = finding.factor
         self._words = words
         self._result = CheckedFinding()
         self._worst = -math.inf

@@ -10,7 +10,7 @@ import csv
 import json
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
-from typing import Any, Callable, Optional
+from typing import Any, Callable, Optional, Union
 
 from number_text import percent, short_number
 
@@ -42,6 +42,23 @@ class PaperColumn:
     key: str
     title: str
     quantity: Quantity
+
+
+@dataclass(frozen=True)
+class Finding:
+    """A claim about cells: for each pair of a cell of `cells` and one of `than` that agree in `pair_by`, the quantity of
+    the first is below (above) `factor` times that of the second; or, where `than` is a number, below (above) it.
+
+    A selection of cells has the lists "rows", "strategies", "operators" and "scenarios"; a missing list selects all.
+    """
+
+    text: str
+    quantity: Quantity
+    cells: dict[str, list[str]]
+    below: bool
+    than: Union[dict[str, list[str]], float]
+    factor: float = 1.0
+    pair_by: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -157,7 +174,7 @@ class StudyResults:
     study_sha256: str
     plan_sha256: str
     paper: list[PaperColumn]
-    findings: list[dict[str, Any]]
+    findings: list[Finding]
     axes: list[Axis]
     cells: list[Cell]
     runs: list[Run] = field(default_factory=list)
@@ -205,7 +222,7 @@ def _study_of(root: dict[str, Any]) -> StudyResults:
         study_sha256=str(root["study_sha256"]),
         plan_sha256=str(root["plan_sha256"]),
         paper=[PaperColumn(c["key"], c["title"], _quantity_of(c)) for c in root["paper"]],
-        findings=[{**finding, "quantity": _quantity_of(finding)} for finding in root["findings"]],
+        findings=[_finding_of(finding) for finding in root["findings"]],
         axes=[Axis(a["key"], a["label"], a["symbol"], a["unit"]) for a in root["axes"]],
         cells=[_cell_of(cell) for cell in root["cells"]],
     )
@@ -213,6 +230,23 @@ def _study_of(root: dict[str, Any]) -> StudyResults:
 
 def _quantity_of(entry: dict[str, Any]) -> Quantity:
     return Quantity(entry["measure"], entry.get("statistic", ""), entry.get("over", ""))
+
+
+def _finding_of(entry: dict[str, Any]) -> Finding:
+    than = entry["than"]
+    return Finding(
+        text=entry["text"],
+        quantity=_quantity_of(entry),
+        cells=_selection_of(entry["cells"]),
+        below=entry["is"] == "below",
+        than=_selection_of(than) if isinstance(than, dict) else float(than),
+        factor=float(entry.get("factor", 1.0)),
+        pair_by=tuple(entry.get("pair_by", ())),
+    )
+
+
+def _selection_of(entry: dict[str, Any]) -> dict[str, list[str]]:
+    return {key: [str(name) for name in names] for key, names in entry.items()}
 
 
 def _cell_of(entry: dict[str, Any]) -> Cell:
@@ -305,4 +339,4 @@ def _read_rows(file: Path, make: Callable[[dict[str, str]], Any]) -> tuple[list[
 
 def _note_broken(results: StudyResults, file: Path, broken: int) -> None:
     if broken:
-        results.omissions.append(("{0} has {1} broken lines, which are left out.", file.name, str(broken)))
+        results.omissions.append(("Lines of {0} that cannot be read and are left out: {1}.", file.name, str(broken)))

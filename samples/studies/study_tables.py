@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import Optional
 
 from number_text import percent, short_number
@@ -83,9 +84,9 @@ def findings_table(results: StudyResults, words: Words) -> Table:
                   verdicts=verdict_classes(words))
     for finding in results.findings:
         checked = check_finding(finding, results, words)
-        table.rows.append([words(finding["text"]), words(checked.verdict),
+        table.rows.append([words(finding.text), words(checked.verdict),
                            words("{0} of {1}", checked.agreeing, checked.compared),
-                           describe(finding["quantity"], words), checked.numbers])
+                           describe(finding.quantity, words), checked.numbers])
     return table
 
 
@@ -101,14 +102,14 @@ def endings_table(results: StudyResults, words: Words) -> Table:
     return table
 
 
-def runs_table(runs: list[Run], words: Words) -> Table:
-    """The runs of a cell. The file of each run opens it in the window."""
+def runs_table(runs: list[Run], folder: str, words: Words) -> Table:
+    """The runs of a cell. The file of each run, in the folder of results, opens it in the window."""
     table = Table([(words("Seed"), NUMBER), (words("Ending"), TEXT), (words("Virtual time (s)"), NUMBER),
                    (words("Nodes"), NUMBER), (words("Edges"), NUMBER), (words("Random configurations"), NUMBER),
                    (words("File"), TEXT)])
     for run in runs:
         numbers = [NOTHING if run.numbers[name] is None else short_number(run.numbers[name]) for name in RUN_NUMBERS]
-        table.rows.append([run.seed, words(run.status), *numbers, Link(run.file, run.file)])
+        table.rows.append([run.seed, words(run.status), *numbers, Link(run.file, os.path.normpath(os.path.join(folder, run.file)))])
     return table
 
 

@@ -22,7 +22,6 @@
 #include "widgets/panels/joint_dialog.h"
 #include "widgets/panels/joint_draft.h"
 #include "widgets/studies/plan_graph_view.h"
-#include "widgets/studies/study_browser.h"
 #include "widgets/studies/times_view.h"
 
 namespace glissade::test {
@@ -56,7 +55,6 @@ class EveryDialog {
     dialogs_.push_back(std::make_unique<CalibrationDialog>(bench.session.hand(), settings_, bench.actions, &window));
     dialogs_.push_back(std::make_unique<HeadDialog>(
         HeadPreferences{}, [] { return HeadState{}; }, &window));
-    dialogs_.push_back(std::make_unique<StudyBrowser>(nullptr));
     dialogs_.push_back(std::make_unique<NamedViewsDialog>(NamedViews{}, &window));
   }
 
