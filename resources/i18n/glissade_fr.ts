@@ -11115,6 +11115,10 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>sa collision avec «&#xa0;%1&#xa0;» (%2) est acceptée, et aucune des deux ne peut être découpée et rester d&apos;un seul tenant&#xa0;: corrigez les pièces</translation>
     </message>
     <message>
+        <source>no motion was found: &apos;%1&apos; is cut, because its clash with &apos;%2&apos; (%3) is accepted; if &apos;%2&apos; is the one to cut, name it (--cut &quot;%2&quot;)</source>
+        <translation>aucun mouvement n&apos;a été trouvé&#xa0;: «&#xa0;%1&#xa0;» est découpée, car sa collision avec «&#xa0;%2&#xa0;» (%3) est acceptée&#xa0;; si c&apos;est «&#xa0;%2&#xa0;» qu&apos;il faut découper, nommez-la (--cut &quot;%2&quot;)</translation>
+    </message>
+    <message>
         <source>Write report.html, too (needs Python and matplotlib)</source>
         <translation>Écrire aussi report.html (demande Python et matplotlib)</translation>
     </message>

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <thread>
 
+#include "engine/base/thread_team.h"
 #include "engine/product/joint_edits.h"
 #include "engine/product/joint_finder.h"
 #include "engine/scenario/judged_product.h"
@@ -93,7 +93,7 @@ class AnnouncingHost final : public SequenceHost {
   GrownPlan grown_;
 };
 
-std::size_t helpers() { return std::max(1U, std::thread::hardware_concurrency()) - 1; }
+std::size_t helpers() { return usableCores() - 1; }
 
 using FitsPtr = std::shared_ptr<const ProductFits>;
 /// Finds the fits of a product before it is planned.
