@@ -1,4 +1,4 @@
-"""Reads a page of results as text: its headings, paragraphs, cells of tables and tooltips of plots."""
+"""Reads a page of results as text: its headings, paragraphs, rows of tables and tooltips of plots."""
 
 from __future__ import annotations
 
@@ -7,14 +7,16 @@ from pathlib import Path
 from typing import Optional
 
 READ = {"h1", "h2", "p", "caption", "figcaption", "th", "td", "pre", "summary"}
+CELLS = {"th", "td"}
 
 
 class PageReader(HTMLParser):
-    """Collects a line for each part of a page, in the order of the page."""
+    """Collects a line for each part of a page and each row of a table, in the order of the page."""
 
     def __init__(self) -> None:
         super().__init__()
         self.lines: list[str] = []
+        self._row: list[str] = []
         self._text: Optional[str] = None
         self._in_svg = False
 
@@ -25,8 +27,14 @@ class PageReader(HTMLParser):
 
     def handle_endtag(self, tag: str) -> None:
         self._in_svg = self._in_svg and tag != "svg"
-        kind = "point" if tag == "title" else tag
-        if self._text is not None and (tag in READ or tag == "title"):
+        if tag == "tr":
+            self.lines.append("row " + " | ".join(self._row))
+            self._row = []
+        elif self._text is not None and tag in CELLS:
+            self._row.append(self._text.strip())
+            self._text = None
+        elif self._text is not None and (tag in READ or tag == "title"):
+            kind = "point" if tag == "title" else tag
             self.lines.append(f"{kind} {self._text.strip()}")
             self._text = None
 
