@@ -196,6 +196,7 @@ struct StudyOptions {
   std::string shard = "1/1";
   bool quick = false;
   bool dryRun = false;
+  bool report = false;
   Console console;
 };
 
@@ -206,6 +207,7 @@ int runStudyCommand(const StudyOptions& options);
 struct MergeOptions {
   std::vector<std::string> folders;
   std::string out;
+  bool report = false;
   Console console;
 };
 
@@ -219,7 +221,8 @@ struct ReportOptions {
   Console console;
 };
 
-/// glissade-cli report: writes report.html for a folder of results.
+/// glissade-cli report: writes tables and report.html for a folder of results. Exit code 3 also where Python or
+/// matplotlib is not installed.
 int runReport(const ReportOptions& options);
 
 struct BenchmarkPageOptions {

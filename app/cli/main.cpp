@@ -431,6 +431,7 @@ ParsedCommand addStudy(const ParsedCommand& app, StudyOptions& options) {
   study.option("--shard", options.shard, GLISSADE_TEXT("I/N: only every N-th run, from the I-th; see merge"))
       ->capture_default_str();
   study.flag("--quick", options.quick, GLISSADE_TEXT("The study's quick section: about a minute"));
+  study.flag("--report", options.report, GLISSADE_TEXT("Write report.html, too (needs Python and matplotlib)"));
   study.flag("--dry-run", options.dryRun, GLISSADE_TEXT("Print what would be run; write nothing"));
   return study;
 }
@@ -440,6 +441,7 @@ ParsedCommand addMerge(const ParsedCommand& app, MergeOptions& options) {
       "merge", GLISSADE_TEXT("Combine the results of the parts of a study (--shard) and write its tables"));
   merge.option("DIR", options.folders, GLISSADE_TEXT("Folders of results"))->required();
   merge.option("--out", options.out, GLISSADE_TEXT("Folder of the combined results"))->required();
+  merge.flag("--report", options.report, GLISSADE_TEXT("Write report.html, too (needs Python and matplotlib)"));
   return merge;
 }
 
@@ -447,7 +449,7 @@ ParsedCommand addReport(const ParsedCommand& app, ReportOptions& options) {
   const ParsedCommand report =
       app.subcommand("report", GLISSADE_TEXT("Write the report of a study: tables, plots, findings, one HTML page"));
   report.option("DIR", options.folder, GLISSADE_TEXT("Folder of results"))->required();
-  report.option("--out", options.out, GLISSADE_TEXT("Folder of report.html (default: DIR)"));
+  report.option("--out", options.out, GLISSADE_TEXT("Folder of report.html and of the tables (default: DIR)"));
   report.option("--language", options.language, GLISSADE_TEXT("Language of the report"))
       ->check(CLI::IsMember({"en", "fr"}))
       ->capture_default_str();

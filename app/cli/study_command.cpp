@@ -11,8 +11,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/text_cells.h"
 #include "engine/base/file.h"
-#include "engine/study/benchmarks/benchmark_page.h"
-#include "engine/study/study_report.h"
+#include "engine/study/study_page.h"
 #include "engine/study/study_runner.h"
 #include "engine/study/study_summary.h"
 #include "engine/study/study_tables.h"
@@ -81,7 +80,7 @@ void ProgressLine::end() {
 }
 
 /// Prints a short table of a study's results on standard output.
-void printSummary(const StudyFolder& folder, Warnings& warnings, const Console& console) {
+void printSummary(const StudyFolder& folder, bool withReport, Warnings& warnings, const Console& console) {
   const Study& study = folder.plan().study;
   const auto summaries = summarise(study, folder.results(warnings));
   std::size_t widest = 5;
@@ -104,7 +103,9 @@ void printSummary(const StudyFolder& folder, Warnings& warnings, const Console& 
                     toLeft(std::to_string(summary.runs), 4) + numbers}});
   }
   console.print({});
-  console.print({GLISSADE_TEXT("see %1 and summary.csv"), {folder.file("report.html")}});
+  console.print(withReport ? Message{GLISSADE_TEXT("see %1 and summary.csv"), {folder.file("report.html")}}
+                           : Message{GLISSADE_TEXT("see %1; 'glissade-cli report %2' writes the page of the study"),
+                                     {folder.file("summary.csv"), folder.path()}});
 }
 
 constexpr std::size_t kMostStudyBytes = 16U << 20;
@@ -153,10 +154,16 @@ int describe(const StudyOptions& options, const StudyPlan& plan, const Shard& sh
   return 0;
 }
 
-/// Writes tables and report of the results that exist.
-Outcome writeResults(const StudyFolder& folder, Warnings& warnings) {
-  const Outcome written = writeTables(folder, warnings);
-  return written ? writeReport(folder, folder.path(), warnings) : written;
+/// Writes the tables of the results that exist and, where it is wanted, the page.
+Outcome writeResults(const StudyFolder& folder, bool withReport, const Console& console, const StopToken& stop) {
+  Warnings warnings;
+  const auto tell = [&](const Outcome& outcome) {
+    reportWarnings(warnings, console);
+    return outcome;
+  };
+  if (!withReport) return tell(writeTables(folder, folder.path(), warnings));
+  const auto page = writeStudyPage(folder, {"", "", console.language}, warnings, stop);
+  return tell(page ? Outcome(Done{}) : Outcome(page.error()));
 }
 
 int carryOut(const StudyOptions& options, const StudyPlan& plan, const Shard& shard, const Interrupt& interrupt) {
@@ -175,10 +182,10 @@ int carryOut(const StudyOptions& options, const StudyPlan& plan, const Shard& sh
   line.end();
   reportWarnings(warnings, options.console);
   if (!ran && ran.error().kind != ErrorKind::Interrupted) return reportError(ran.error(), options.console);
-  const Outcome written = writeResults(*folder, warnings);
+  const Outcome written = writeResults(*folder, options.report && ran, options.console, interrupt.token());
   if (!written) return reportError(written.error(), options.console);
   if (!ran) return reportError(ran.error(), options.console);
-  printSummary(*folder, warnings, options.console);
+  printSummary(*folder, options.report, warnings, options.console);
   return 0;
 }
 
@@ -196,35 +203,42 @@ int runStudyCommand(const StudyOptions& options) {
 }
 
 int runMerge(const MergeOptions& options) {
+  const Interrupt interrupt;
   Warnings warnings;
   const auto merged = mergeStudies(options.folders, options.out, warnings);
   reportWarnings(warnings, options.console);
   if (!merged) return reportError(merged.error(), options.console);
-  const Outcome written = writeReport(*merged, merged->path(), warnings);
+  const Outcome written = writeResults(*merged, options.report, options.console, interrupt.token());
   if (!written) return reportError(written.error(), options.console);
-  printSummary(*merged, warnings, options.console);
+  printSummary(*merged, options.report, warnings, options.console);
   return 0;
 }
 
+namespace {
+
+/// Prints the file of a page, or why there is none.
+int tellPage(const Result<std::string>& page, const Warnings& warnings, const Console& console) {
+  reportWarnings(warnings, console);
+  if (!page) return reportError(page.error(), console);
+  std::cout << *page << "\n";
+  return 0;
+}
+
+}  // namespace
+
 int runReport(const ReportOptions& options) {
+  const Interrupt interrupt;
   Warnings warnings;
   const auto folder = StudyFolder::open(options.folder);
   if (!folder) return reportError(folder.error(), options.console);
-  const std::string& out = options.out.empty() ? options.folder : options.out;
-  const Outcome written = writeReport(*folder, out, warnings, *languageOf(options.language));
-  reportWarnings(warnings, options.console);
-  if (!written) return reportError(written.error(), options.console);
-  std::cout << out << "/report.html\n";
-  return 0;
+  const PageOptions page{options.out, "", *languageOf(options.language)};
+  return tellPage(writeStudyPage(*folder, page, warnings, interrupt.token()), warnings, options.console);
 }
 
 int runBenchmarkPage(const BenchmarkPageOptions& options) {
+  const Interrupt interrupt;
   Warnings warnings;
-  const Outcome written = writeBenchmarkPage(options.folder, warnings);
-  reportWarnings(warnings, options.console);
-  if (!written) return reportError(written.error(), options.console);
-  std::cout << options.folder << "/benchmarks.html\n";
-  return 0;
+  return tellPage(writeBenchmarkPage(options.folder, {}, warnings, interrupt.token()), warnings, options.console);
 }
 
 }  // namespace glissade::cli

@@ -104,7 +104,7 @@ void MainWindow::addParts() {
   recordings_ = new RecordingController(bench_, *replay, *files_);
   preferences_ =
       new PreferencesController(bench_, [this](int seconds) { files_->saves().setAutosaveSeconds(seconds); });
-  new StudyController(bench_, *files_);
+  studies_ = new StudyController(bench_, *files_);
   auto* devices = new DeviceController(*session_, actions_, *scene_, this);
   devices->addIndicators(*statusBar());
   connect(devices, &DeviceController::cameraMoved, view, &ViewController::publishOperatorFrame);
@@ -168,6 +168,11 @@ void MainWindow::connectActions() {
 }
 
 std::optional<Diagnostic> MainWindow::openScenario(const QString& file, bool quiet) {
+  if (isStudyRunFile(file.toStdString())) {
+    const auto why = studies_->openRun(file);
+    if (why && !quiet) messages_.showError(tr("The run cannot be shown"), *why);
+    return why;
+  }
   return files_->openScenario(file, quiet, FindFits::LaterIfLarge);
 }
 

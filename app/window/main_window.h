@@ -13,6 +13,7 @@ class FileController;
 class NamedViewsController;
 class PreferencesController;
 class RecordingController;
+class StudyController;
 class WindowMemory;
 
 /// The window: the 3D view in the middle, panels around it, one document and one session. It makes the controllers and
@@ -26,7 +27,7 @@ class MainWindow final : public QMainWindow {
 
   /// The objects that scripts and the command line use.
   const Workbench& workbench() const { return bench_; }
-  /// Opens a scenario; errors are shown in a dialog unless `quiet`, and returned.
+  /// Opens a scenario, or shows a run of a study again; errors are shown in a dialog unless `quiet`, and returned.
   std::optional<Diagnostic> openScenario(const QString& file, bool quiet = false);
   /// Asks in a modal dialog how to import part files.
   void importParts(const QStringList& files);
@@ -66,6 +67,7 @@ class MainWindow final : public QMainWindow {
   FileController* files_ = nullptr;
   NamedViewsController* views_ = nullptr;
   RecordingController* recordings_ = nullptr;
+  StudyController* studies_ = nullptr;
   PreferencesController* preferences_ = nullptr;
   std::function<void()> remember_;  ///< gives the controllers the contents of memory_ before the layout is restored
   QWidget* replayBar_ = nullptr;

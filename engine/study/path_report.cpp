@@ -9,7 +9,8 @@
 #include "engine/base/number_text.h"
 #include "engine/files/product_name.h"
 #include "engine/files/scenario_fits.h"
-#include "engine/study/cell_value.h"
+#include "engine/study/line_plot.h"
+#include "engine/study/short_number.h"
 
 namespace glissade {
 namespace {
@@ -25,7 +26,7 @@ class PathReportComposer {
                      const std::function<std::string(double)>& length)
       : content_(content), words_(words), length_(length) {}
 
-  StudyReport compose() {
+  Report compose() {
     report_.language = words_.language();
     report_.title = words_(GLISSADE_TEXT("Report of a path: %1"), {nameOfProduct(content_.scenario)});
     addProblem();
@@ -129,31 +130,27 @@ class PathReportComposer {
     const std::vector<ClearanceSample>& samples = content_.profile->samples;
     const std::size_t tightest = *content_.profile->tightest();
     const std::size_t step = std::max<std::size_t>(1, samples.size() / kPlotPoints);
-    PlotSeries series;
-    series.name = words_(GLISSADE_TEXT("Clearance"));
+    LinePlot plot;
     std::vector<double> clearances;
     for (std::size_t i = 0; i < samples.size(); ++i) {
       if (i % step != 0 && i != tightest) continue;
-      PlotPoint point;
-      point.x = 100.0 * samples[i].share;
-      point.y = point.low = point.high = kMillimetres * samples[i].nearest.distance;
-      point.says =
-          words_(GLISSADE_TEXT("%1 to %2"), {length_(samples[i].nearest.distance), nameOf(samples[i].nearest.body)});
-      clearances.push_back(point.y);
-      series.points.push_back(std::move(point));
+      const double clearance = kMillimetres * samples[i].nearest.distance;
+      clearances.push_back(clearance);
+      plot.points.push_back(
+          {100.0 * samples[i].share, clearance,
+           words_(GLISSADE_TEXT("%1 to %2"), {length_(samples[i].nearest.distance), nameOf(samples[i].nearest.body)})});
     }
     heading(GLISSADE_TEXT("Clearance along the path"), true);
     if (!content_.tightest.file.empty()) report_.blocks.emplace_back(content_.tightest);
-    Plot plot;
-    plot.name = "clearance";
     plot.title = words_(GLISSADE_TEXT("Clearance along the path"));
-    plot.caption = words_(
-        GLISSADE_TEXT("Distances of triangles to the nearest part at places of the path; the smallest is %1 to %2."),
-        {length_(samples[tightest].nearest.distance), nameOf(samples[tightest].nearest.body)});
     plot.x = PlotScale::percentages(words_(GLISSADE_TEXT("share of the path, %")));
     plot.y = PlotScale::fitting(words_(GLISSADE_TEXT("clearance, mm")), clearances);
-    plot.series.push_back(std::move(series));
-    report_.blocks.emplace_back(std::move(plot));
+    report_.blocks.emplace_back(ReportDrawing{
+        "clearance", plot.title,
+        words_(GLISSADE_TEXT(
+                   "Distances of triangles to the nearest part at places of the path; the smallest is %1 to %2."),
+               {length_(samples[tightest].nearest.distance), nameOf(samples[tightest].nearest.body)}),
+        svgOf(plot)});
   }
 
   void addParameters() {
@@ -189,13 +186,13 @@ class PathReportComposer {
   const PathReportContent& content_;
   const StudyWords& words_;
   const std::function<std::string(double)>& length_;
-  StudyReport report_;
+  Report report_;
 };
 
 }  // namespace
 
-StudyReport pathReport(const PathReportContent& content, const StudyWords& words,
-                       const std::function<std::string(double metres)>& length) {
+Report pathReport(const PathReportContent& content, const StudyWords& words,
+                  const std::function<std::string(double metres)>& length) {
   return PathReportComposer(content, words, length).compose();
 }
 

@@ -4,7 +4,7 @@
 
 #include "engine/files/scenario.h"
 #include "engine/planning/clearance_profile.h"
-#include "engine/study/study_report.h"
+#include "engine/study/report.h"
 
 namespace glissade {
 
@@ -20,7 +20,7 @@ struct PathReportContent {
 
 /// The report of one path: problem, certificate with its allowances and conditions, pictures, the clearance along the
 /// path, parameters, and the parts with the hashes of their files. `length` formats a length for people.
-StudyReport pathReport(const PathReportContent& content, const StudyWords& words,
-                       const std::function<std::string(double metres)>& length);
+Report pathReport(const PathReportContent& content, const StudyWords& words,
+                  const std::function<std::string(double metres)>& length);
 
 }  // namespace glissade

@@ -21,7 +21,7 @@ class Composer {
   Composer(const PlanReportContent& content, const PlanWords& words)
       : content_(content), plain_(words), parts_(partsList(content.plan, content.product)) {}
 
-  StudyReport compose() {
+  Report compose() {
     report_.language = plain_.words().language();
     report_.title = say(GLISSADE_TEXT("Report of the sequence: %1"), {content_.name});
     addCover();
@@ -293,12 +293,12 @@ class Composer {
   const PlanReportContent& content_;
   const PlanWords& plain_;
   std::vector<PartsListRow> parts_;
-  StudyReport report_;
+  Report report_;
 };
 
 }  // namespace
 
-StudyReport planReport(const PlanReportContent& content, const PlanWords& words) {
+Report planReport(const PlanReportContent& content, const PlanWords& words) {
   return Composer(content, words).compose();
 }
 

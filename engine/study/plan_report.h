@@ -6,7 +6,7 @@
 
 #include "engine/study/plan_timing.h"
 #include "engine/study/plan_words.h"
-#include "engine/study/study_report.h"
+#include "engine/study/report.h"
 
 namespace glissade {
 
@@ -36,6 +36,6 @@ struct PlanReportContent {
 /// motions, clearances, allowances and checks, the times of the steps and their division among a line's stations, and
 /// parts without a step. The numbers of steps are those of the work instruction. Precondition: the plan is about the
 /// product.
-StudyReport planReport(const PlanReportContent& content, const PlanWords& words);
+Report planReport(const PlanReportContent& content, const PlanWords& words);
 
 }  // namespace glissade

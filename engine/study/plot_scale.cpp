@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <locale>
-#include <sstream>
 
-#include "engine/study/cell_value.h"
+#include "engine/study/short_number.h"
 
 namespace glissade {
 namespace {
@@ -14,8 +11,8 @@ namespace {
 constexpr double kSpanForLogarithms = 20.0;
 constexpr double kZeroWidth = 0.1;
 constexpr int kMostSteps = 6;
-/// Least ratio of a logarithmic axis' bounds for ticks at powers of ten. Smaller parts have evenly spaced ticks.
-constexpr double kSpanForPowers = 5.0;
+/// Most decades of an axis whose ticks at 2 and 5 times a power of ten have labels.
+constexpr double kDecadesWithMinorLabels = 3.1;
 
 /// The smallest number of the form 1, 2 or 5 times a power of ten that is at least `least`.
 double roundStep(double least) {
@@ -60,7 +57,7 @@ PlotScale PlotScale::percentages(std::string title) { return linear(std::move(ti
 
 PlotScale PlotScale::logarithmic(std::string title, const std::vector<double>& values) {
   PlotScale scale;
-  scale.kind_ = Kind::Logarithmic;
+  scale.isLogarithmic_ = true;
   scale.title_ = std::move(title);
   const std::vector<double> known = positive(values);
   const bool hasZero = known.size() < values.size();
@@ -80,20 +77,8 @@ PlotScale PlotScale::fitting(std::string title, const std::vector<double>& value
   return *most > kSpanForLogarithms * *least ? logarithmic(std::move(title), values) : linear(std::move(title), values);
 }
 
-PlotScale PlotScale::categories(std::string title, const std::vector<std::string>& names) {
-  PlotScale scale;
-  scale.kind_ = Kind::Categories;
-  scale.title_ = std::move(title);
-  scale.low_ = -0.5;
-  scale.high_ = static_cast<double>(names.size()) - 0.5;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    scale.ticks_.push_back({scale.position(static_cast<double>(i)), names[i]});
-  }
-  return scale;
-}
-
 double PlotScale::position(double value) const {
-  if (kind_ != Kind::Logarithmic) return (value - low_) / (high_ - low_);
+  if (!isLogarithmic_) return (value - low_) / (high_ - low_);
   if (!(value > 0.0)) return 0.0;
   return zeroWidth_ + (1.0 - zeroWidth_) * std::max(0.0, (std::log10(value) - low_) / (high_ - low_));
 }
@@ -109,57 +94,16 @@ void PlotScale::markLinear() {
 
 void PlotScale::markLogarithmic() {
   if (zeroWidth_ > 0.0) ticks_.push_back({0.0, "0"});
-  const std::vector<PlotTick> powers = powerTicks(low_, high_);
-  ticks_.insert(ticks_.end(), powers.begin(), powers.end());
-}
-
-/// Ticks between two logarithms.
-std::vector<PlotTick> PlotScale::powerTicks(double low, double high) const {
-  std::vector<PlotTick> ticks;
-  const double decades = high - low;
-  for (double power = std::floor(low + 1e-9); power <= high + 1e-9; power += 1.0) {
+  const bool minorLabels = high_ - low_ < kDecadesWithMinorLabels;
+  for (double power = std::floor(low_ + 1e-9); power <= high_ + 1e-9; power += 1.0) {
     for (int digit = 1; digit <= 9; ++digit) {
       const double exponent = power + std::log10(digit);
-      if (exponent < low - 1e-9 || exponent > high + 1e-9) continue;
-      const bool labelled = digit == 1 || (decades < 3.1 && (digit == 2 || digit == 5));
+      if (exponent < low_ - 1e-9 || exponent > high_ + 1e-9) continue;
+      const bool labelled = digit == 1 || (minorLabels && (digit == 2 || digit == 5));
       const double value = digit * std::pow(10.0, power);
-      ticks.push_back({position(value), labelled ? shortNumber(value) : std::string()});
+      ticks_.push_back({position(value), labelled ? shortNumber(value) : std::string()});
     }
   }
-  return ticks;
-}
-
-/// Ticks between two values, with as many decimals as distinguish them.
-std::vector<PlotTick> PlotScale::roundTicks(double low, double high) const {
-  std::vector<PlotTick> ticks;
-  const double step = roundStep((high - low) / kMostSteps);
-  const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
-  for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; i += 1.0) {
-    const double value = i * step;
-    std::ostringstream label;
-    label.imbue(std::locale::classic());
-    label << std::fixed << std::setprecision(decimals) << value;
-    ticks.push_back({position(value), decimals == 0 ? shortNumber(value) : label.str()});
-  }
-  return ticks;
-}
-
-double PlotScale::valueAt(double position) const {
-  const double along = std::clamp((position - zeroWidth_) / (1.0 - zeroWidth_), 0.0, 1.0);
-  const double value = low_ + along * (high_ - low_);
-  return kind_ == Kind::Logarithmic ? std::pow(10.0, value) : value;
-}
-
-std::vector<PlotTick> PlotScale::ticksWithin(double from, double to) const {
-  const bool whole = from <= 0.0 && to >= 1.0;
-  if (whole || kind_ == Kind::Categories) return ticks_;
-  const double low = valueAt(from);
-  const double high = valueAt(to);
-  if (kind_ == Kind::Linear) return roundTicks(low, high);
-  std::vector<PlotTick> ticks =
-      high < kSpanForPowers * low ? roundTicks(low, high) : powerTicks(std::log10(low), std::log10(high));
-  if (zeroWidth_ > 0.0 && from <= 0.0) ticks.insert(ticks.begin(), {0.0, "0"});
-  return ticks;
 }
 
 }  // namespace glissade

@@ -1,8 +1,9 @@
 #include "engine/study/report_html.h"
 
+#include <cstring>
+#include <utility>
+
 #include "engine/base/file.h"
-#include "engine/study/finding_check.h"
-#include "engine/study/svg_plot.h"
 #include "engine/study/xml_text.h"
 
 namespace glissade {
@@ -37,27 +38,31 @@ th { background: var(--band); font-weight: 600; vertical-align: bottom; }
 th.number { white-space: normal; }
 td:first-child { white-space: nowrap; }
 td.prose:first-child { white-space: normal; min-width: 16rem; }
-.holds { color: #009e73; font-weight: 600; white-space: nowrap; }
-.refuted { color: #d55e00; font-weight: 600; white-space: nowrap; }
-.open { color: var(--soft); font-weight: 600; }
 figure { margin: 1.5rem 0; }
 figure svg, figure img { max-width: 100%; height: auto; }
 figcaption { color: var(--soft); font-size: 0.86rem; max-width: 50rem; }
-pre { background: var(--band); border: 1px solid var(--line); border-radius: 4px; padding: 0.8rem 1rem; font-size: 0.8rem;
-  white-space: pre-wrap; overflow-wrap: anywhere; }
-svg .ink { fill: var(--ink); }
-svg .ink-line { stroke: var(--ink); }
-svg .ground-line { stroke: var(--ground); }
-svg .faint { stroke: var(--line); }
 )";
 
-/// CSS class of a cell; a verdict has a colour.
-std::string classOf(const ReportColumn& column, const std::string& cell, const StudyWords& words) {
+/// CSS class of a cell.
+std::string classOf(const ReportColumn& column) {
   if (column.kind == ReportColumn::Kind::Number) return " class=\"number\"";
-  if (column.kind == ReportColumn::Kind::Prose) return " class=\"prose\"";
-  if (column.kind != ReportColumn::Kind::Verdict) return "";
-  if (cell == words(std::string(name(Verdict::Holds)))) return " class=\"holds\"";
-  return cell == words(std::string(name(Verdict::Open))) ? " class=\"open\"" : " class=\"refuted\"";
+  return column.kind == ReportColumn::Kind::Prose ? " class=\"prose\"" : "";
+}
+
+/// Colours of drawings, and the colours of the style sheet in their place.
+constexpr std::pair<const char*, const char*> kColoursOfPage[] = {{"\"#1d2329\"", "\"var(--ink, #1d2329)\""},
+                                                                  {"\"#ffffff\"", "\"var(--ground, #ffffff)\""},
+                                                                  {"\"#c9d0d8\"", "\"var(--line, #c9d0d8)\""},
+                                                                  {"\"#eef3f8\"", "\"var(--band, #eef3f8)\""}};
+
+/// The drawing in the colours of the style sheet, which has light and dark ones.
+std::string inColoursOfPage(std::string svg) {
+  for (const auto& [drawn, shown] : kColoursOfPage) {
+    for (std::size_t at = svg.find(drawn); at != std::string::npos; at = svg.find(drawn, at + std::strlen(shown))) {
+      svg.replace(at, std::strlen(drawn), shown);
+    }
+  }
+  return svg;
 }
 
 bool hasTitles(const ReportTable& table) {
@@ -69,8 +74,6 @@ bool hasTitles(const ReportTable& table) {
 
 class Page {
  public:
-  explicit Page(Language language) : words_(language) {}
-
   std::optional<Diagnostic> error;
   std::string out;
 
@@ -89,16 +92,16 @@ class Page {
     for (const auto& row : table.rows) {
       out += "<tr>";
       for (std::size_t i = 0; i < row.size(); ++i) {
-        out += "<td" + classOf(table.columns[i], row[i], words_) + ">" + escaped(row[i]) + "</td>";
+        out += "<td" + classOf(table.columns[i]) + ">" + escaped(row[i]) + "</td>";
       }
       out += "</tr>\n";
     }
     out += "</tbody>\n</table></div>\n";
   }
 
-  void operator()(const Plot& plot) {
-    out += "<figure id=\"" + escaped(plot.name) + "\">\n" + svgPlot(plot) + "<figcaption><strong>" +
-           escaped(plot.title) + ".</strong> " + escaped(plot.caption) + "</figcaption>\n</figure>\n";
+  void operator()(const ReportDrawing& drawing) {
+    out += "<figure id=\"" + escaped(drawing.name) + "\">\n" + inColoursOfPage(drawing.svg) + "<figcaption><strong>" +
+           escaped(drawing.title) + ".</strong> " + escaped(drawing.caption) + "</figcaption>\n</figure>\n";
   }
 
   void operator()(const ReportPicture& picture) {
@@ -111,12 +114,6 @@ class Page {
            "\"/>\n<figcaption>" + escaped(picture.caption) + "</figcaption>\n</figure>\n";
   }
 
-  void operator()(const ReportCommands& commands) {
-    out += "<pre>";
-    for (const std::string& line : commands.lines) out += escaped(line) + "\n";
-    out += "</pre>\n";
-  }
-
  private:
   void addTitles(const ReportTable& table) {
     out += "<thead><tr>";
@@ -126,8 +123,6 @@ class Page {
     }
     out += "</tr></thead>\n";
   }
-
-  StudyWords words_;
 };
 
 }  // namespace
@@ -149,8 +144,8 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
-Result<std::string> reportHtml(const StudyReport& report) {
-  Page page(report.language);
+Result<std::string> reportHtml(const Report& report) {
+  Page page;
   for (const ReportBlock& block : report.blocks) std::visit(page, block);
   if (page.error) return *page.error;
   return "<!DOCTYPE html>\n<html lang=\"" + std::string(code(report.language)) +

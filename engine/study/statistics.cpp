@@ -42,23 +42,4 @@ Distribution distributionOf(std::vector<double> sample) {
           sum / static_cast<double>(sample.size())};
 }
 
-std::optional<double> fittedExponent(const std::vector<std::pair<double, double>>& points) {
-  const auto count = static_cast<double>(points.size());
-  double meanX = 0.0;
-  double meanY = 0.0;
-  for (const auto& [x, y] : points) {
-    meanX += std::log(x) / count;
-    meanY += std::log(y) / count;
-  }
-  double squares = 0.0;
-  double products = 0.0;
-  for (const auto& [x, y] : points) {
-    squares += (std::log(x) - meanX) * (std::log(x) - meanX);
-    products += (std::log(x) - meanX) * (std::log(y) - meanY);
-  }
-  constexpr double kSame = 1e-12;
-  if (squares <= kSame) return std::nullopt;
-  return products / squares;
-}
-
 }  // namespace glissade

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
-#include <utility>
 #include <vector>
 
 namespace glissade {
@@ -32,9 +30,5 @@ struct Distribution {
 /// Quartiles interpolate between order statistics (type 7 of Hyndman and Fan 1996: the default of R
 /// and NumPy). The mean is summed in ascending order, so that the order given does not matter.
 Distribution distributionOf(std::vector<double> sample);
-
-/// The exponent k of y = c x^k through points with positive coordinates, by least squares of the logarithms. Nothing
-/// where they have less than two different x.
-std::optional<double> fittedExponent(const std::vector<std::pair<double, double>>& points);
 
 }  // namespace glissade

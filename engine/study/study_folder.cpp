@@ -1,6 +1,9 @@
 #include "engine/study/study_folder.h"
 
+#include <array>
 #include <filesystem>
+#include <fstream>
+#include <string_view>
 
 #include "engine/base/file.h"
 
@@ -128,6 +131,29 @@ Result<std::string> StudyFolder::scenarioFile(const StudyCell& cell) const {
 
 Outcome StudyFolder::save(const StudyRun& run, const RunOutcome& outcome) const {
   return writeFileAtomically(fileOf(run), writeRunRow({planSha256_, run.cell + 1, run.seed, outcome}));
+}
+
+bool isStudyRunFile(const std::string& file) {
+  std::array<char, 64> beginning{};
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(beginning.data(), beginning.size());
+  const std::string_view text(beginning.data(), static_cast<std::size_t>(stream.gcount()));
+  return text.find("\"glissade-study-run\"") != std::string_view::npos;
+}
+
+Result<StudyRunFile> openStudyRun(const std::string& file) {
+  const auto text = readFile(file, kMostRunBytes);
+  if (!text) return text.error();
+  const auto row = readRunRow(*text, file);
+  if (!row) return row.error();
+  auto folder = StudyFolder::open(fs::absolute(file).parent_path().parent_path().string());
+  if (!folder) return folder.error();
+  if (row->plan != folder->planSha256() || row->cell < 1 || row->cell > folder->plan().study.cells.size()) {
+    return Diagnostic{ErrorKind::MalformedInput, file, "", GLISSADE_TEXT("is of another plan"),
+                      GLISSADE_TEXT("Choose a run in the folder of its study.")};
+  }
+  const StudyRun run{row->cell - 1, row->seed};
+  return StudyRunFile{std::move(*folder), run, row->outcome};
 }
 
 }  // namespace glissade

@@ -19,7 +19,7 @@ using StudyResults = std::map<StudyRun, RunOutcome>;
 ///     plan.json    the resolved study (StudyPlan): folders belong together when these are equal
 ///     runs/        one file a run, written when it has ended: a killed study loses no finished run
 ///     *.csv, summary.json   the tables (study_tables.h)
-///     report.html  the report (study_report.h), with the pictures in pictures/
+///     report.html  the page (study_page.h), with the pictures in pictures/
 ///     origin.txt   path of the study file, for opening its scenarios
 ///
 /// Several processes may work in one folder.
@@ -57,6 +57,18 @@ class StudyFolder {
   std::string planText_;
   std::string planSha256_;
 };
+
+/// The run of a file runs/cellN-seedM.json, in the folder of its study.
+struct StudyRunFile {
+  StudyFolder folder;
+  StudyRun run;
+  RunOutcome outcome;
+};
+
+/// True if the content of the file begins as that of a run.
+bool isStudyRunFile(const std::string& file);
+/// Opens the file of a run. MalformedInput: a file that is no run, or not in the folder of its study.
+Result<StudyRunFile> openStudyRun(const std::string& file);
 
 /// Unites the results of folders with the same plan in `out` (new, or of that plan) and writes its tables. Refused:
 /// different plans; a run that two folders have with different results, unless one of them depends on the machine (then

@@ -55,7 +55,7 @@ Result<StudyFolder> mergeStudies(const std::vector<std::string>& folders, const 
     const Outcome saved = merged->save(run, outcome);
     if (!saved) return saved.error();
   }
-  const Outcome written = writeTables(*merged, warnings);
+  const Outcome written = writeTables(*merged, out, warnings);
   if (!written) return written.error();
   return merged;
 }

@@ -1,5 +1,7 @@
 #include "engine/study/study_tables.h"
 
+#include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -7,6 +9,7 @@
 #include "engine/base/json_reader.h"
 #include "engine/study/csv_table.h"
 #include "engine/study/repeat_command.h"
+#include "engine/study/study_axes.h"
 #include "engine/study/study_json.h"
 
 namespace glissade {
@@ -51,6 +54,21 @@ Json toJson(std::size_t index, const StudyCell& cell, const CellSummary& summary
   return json;
 }
 
+/// The parameters that the cells vary, without limits of runs.
+Json axesOf(const Study& study) {
+  std::map<ParameterId, std::set<double>> values;
+  for (const StudyCell& cell : study.cells) {
+    for (const auto& [id, value] : cell.settings) values[id].insert(value);
+  }
+  Json axes = Json::array();
+  for (const auto& [id, seen] : values) {
+    if (seen.size() < 2 || isLimit(id)) continue;
+    const ParameterSpec& spec = specOf(id);
+    axes.push_back({{"key", spec.key}, {"label", spec.label.english}, {"symbol", spec.symbol}, {"unit", spec.unit}});
+  }
+  return axes;
+}
+
 /// summary.json: the study's heading, and for each cell its settings, its summary, the paper's numbers
 /// and the command that repeats it. Nothing in it depends on the machine's speed.
 std::string summaryJson(const StudyFolder& folder, const std::vector<CellSummary>& summaries) {
@@ -63,6 +81,7 @@ std::string summaryJson(const StudyFolder& folder, const std::vector<CellSummary
   json["plan_sha256"] = folder.planSha256();
   json["quick"] = plan.study.quick;
   study_json::addHeading(json, plan.study.heading);
+  json["axes"] = axesOf(plan.study);
   json["cells"] = Json::array();
   for (std::size_t i = 0; i < summaries.size(); ++i) {
     json["cells"].push_back(toJson(i, plan.study.cells[i], summaries[i]));
@@ -205,7 +224,16 @@ std::string timingSummaryTable(const Study& study, const std::vector<CellSummary
 
 }  // namespace
 
-Outcome writeTables(const StudyFolder& folder, Warnings& warnings) {
+Outcome writeTables(const StudyFolder& folder, const std::string& out, Warnings& warnings) {
+  std::error_code error;
+  std::filesystem::create_directories(out, error);
+  if (error) {
+    return Diagnostic{ErrorKind::Usage,
+                      out,
+                      "",
+                      {GLISSADE_TEXT("cannot be made: %1"), {error.message()}},
+                      GLISSADE_TEXT("Choose another --out.")};
+  }
   const Study& study = folder.plan().study;
   const StudyResults results = folder.results(warnings);
   const std::vector<CellSummary> summaries = summarise(study, results);
@@ -215,7 +243,7 @@ Outcome writeTables(const StudyFolder& folder, Warnings& warnings) {
       {"summary.json", summaryJson(folder, summaries)},
   };
   for (const auto& [name, content] : files) {
-    const Outcome written = saveFile(folder.file(name), content, warnings);
+    const Outcome written = saveFile(out + "/" + name, content, warnings);
     if (!written) return written;
   }
   return Done{};

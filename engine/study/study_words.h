@@ -7,7 +7,7 @@
 
 namespace glissade {
 
-/// Texts of reports, plots and findings in a language. Numbers have the same form in every language, so that they can
+/// Texts of reports and instructions in a language. Numbers have the same form in every language, so that they can
 /// be found in the tables.
 class StudyWords {
  public:

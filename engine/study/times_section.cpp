@@ -3,33 +3,12 @@
 #include <iomanip>
 #include <sstream>
 
+#include "engine/study/line_chart.h"
+
 namespace glissade {
 namespace {
 
-/// A plot with one bar for each station.
-Plot loadPlot(const LineBalance& line, const StudyWords& words) {
-  constexpr double kBarShare = 0.6;
-  Plot plot;
-  plot.name = "station_load";
-  plot.title = words(GLISSADE_TEXT("Work of each station"));
-  plot.kind = PlotKind::Bars;
-  std::vector<std::string> names;
-  for (std::size_t s = 0; s < line.load.size(); ++s) names.push_back(std::to_string(s + 1));
-  plot.x = PlotScale::categories(words(GLISSADE_TEXT("Station")), names);
-  std::vector<double> values = line.load;
-  values.push_back(0.0);
-  plot.y = PlotScale::linear(words(GLISSADE_TEXT("seconds")), values);
-  plot.barWidth = kBarShare / static_cast<double>(line.load.size());
-  PlotSeries series;
-  for (std::size_t s = 0; s < line.load.size(); ++s) {
-    const double load = line.load[s];
-    series.points.push_back({static_cast<double>(s), load, load, load, "", secondsText(load, words), std::nullopt});
-  }
-  plot.series.push_back(std::move(series));
-  return plot;
-}
-
-void addLine(const PlanTiming& timing, const StudyWords& words, StudyReport& report) {
+void addLine(const PlanTiming& timing, const StudyWords& words, Report& report) {
   const LineBalance& line = *timing.line;
   report.blocks.emplace_back(
       ReportHeading{words(GLISSADE_TEXT("Line of %1 {1|station|stations}"), {std::to_string(line.load.size())}), 3});
@@ -45,7 +24,8 @@ void addLine(const PlanTiming& timing, const StudyWords& words, StudyReport& rep
     table.rows.push_back({std::to_string(s + 1), secondsText(line.load[s], words), numbersText(timing.stepsAt(s))});
   }
   report.blocks.emplace_back(std::move(table));
-  report.blocks.emplace_back(loadPlot(line, words));
+  report.blocks.emplace_back(
+      ReportDrawing{"station_load", words(GLISSADE_TEXT("Work of each station")), "", lineChartSvg(timing, words)});
 }
 
 /// The source of the times.
@@ -70,7 +50,7 @@ std::string secondsText(double seconds, const StudyWords& words) {
   return words(GLISSADE_TEXT("%1 s"), {text.str()});
 }
 
-void addTimesSection(const PlanTiming& timing, const StudyWords& words, StudyReport& report) {
+void addTimesSection(const PlanTiming& timing, const StudyWords& words, Report& report) {
   report.blocks.emplace_back(ReportHeading{words(GLISSADE_TEXT("Times")), 2, true});
   report.blocks.emplace_back(ReportText{sourceText(timing, words)});
   report.blocks.emplace_back(

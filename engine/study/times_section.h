@@ -3,7 +3,7 @@
 #include <string>
 
 #include "engine/study/plan_timing.h"
-#include "engine/study/study_report.h"
+#include "engine/study/report.h"
 #include "engine/study/study_words.h"
 
 namespace glissade {
@@ -12,6 +12,6 @@ namespace glissade {
 std::string secondsText(double seconds, const StudyWords& words);
 
 /// Adds the duration of the work, the longest chain, and, where there is a line, its stations with a bar for each.
-void addTimesSection(const PlanTiming& timing, const StudyWords& words, StudyReport& report);
+void addTimesSection(const PlanTiming& timing, const StudyWords& words, Report& report);
 
 }  // namespace glissade

@@ -475,10 +475,6 @@
         <translation>&amp;Ouvrir les résultats d&apos;une étude...</translation>
     </message>
     <message>
-        <source>Browse a study&apos;s tables and plots, and see its runs again</source>
-        <translation>Parcourir les tableaux et les courbes d&apos;une étude, et revoir ses essais</translation>
-    </message>
-    <message>
         <source>Write the report of the study that is open as PDF</source>
         <translation>Écrire en PDF le rapport de l&apos;étude ouverte</translation>
     </message>
@@ -505,26 +501,6 @@
     <message>
         <source>Play the way of &amp;least penetration</source>
         <translation>Lire le chemin de &amp;moindre pénétration</translation>
-    </message>
-    <message>
-        <source>Show all of the study&apos;s plot again after a rubber band or the wheel has enlarged a part</source>
-        <translation>Revenir à la courbe entière après un agrandissement au rectangle ou à la molette</translation>
-    </message>
-    <message>
-        <source>&amp;Copy plot</source>
-        <translation>&amp;Copier la courbe</translation>
-    </message>
-    <message>
-        <source>Put the study&apos;s plot into the clipboard as it is seen</source>
-        <translation>Copier la courbe affichée dans le presse-papiers</translation>
-    </message>
-    <message>
-        <source>&amp;Save plot...</source>
-        <translation>&amp;Enregistrer la courbe...</translation>
-    </message>
-    <message>
-        <source>Save the study&apos;s plot as it is seen, as SVG or PNG</source>
-        <translation>Enregistrer la courbe affichée en SVG ou en PNG</translation>
     </message>
     <message>
         <source>&amp;Hide the selected bodies</source>
@@ -1291,10 +1267,6 @@
         <translation>Autoriser le &amp;roulis de la caméra</translation>
     </message>
     <message>
-        <source>Show the whole &amp;plot</source>
-        <translation>&amp;Montrer la courbe entière</translation>
-    </message>
-    <message>
         <source>&amp;Reset the layout</source>
         <translation>&amp;Rétablir la disposition</translation>
     </message>
@@ -1545,10 +1517,6 @@
     <message>
         <source>Allow as fits</source>
         <translation>Admettre comme ajustements</translation>
-    </message>
-    <message>
-        <source>Whole plot</source>
-        <translation>Courbe entière</translation>
     </message>
     <message>
         <source>Where is it blocked?</source>
@@ -2237,6 +2205,18 @@
     <message>
         <source>Say what a picture of the headset costs, and how simple the scene is for it</source>
         <translation>Dire ce que coûte une image du casque, et combien la scène est simplifiée pour lui</translation>
+    </message>
+    <message>
+        <source>Write the page of a study with its tables and plots, and open it in the browser</source>
+        <translation>Écrire la page d&apos;une étude avec ses tableaux et ses courbes, et l&apos;ouvrir dans le navigateur</translation>
+    </message>
+    <message>
+        <source>Open &amp;run of a study...</source>
+        <translation>Ouvrir un &amp;essai d&apos;une étude...</translation>
+    </message>
+    <message>
+        <source>Show a run of a study again, from its file runs/cellN-seedM.json</source>
+        <translation>Revoir un essai d&apos;une étude, à partir de son fichier runs/cellN-seedM.json</translation>
     </message>
 </context>
 <context>
@@ -3473,10 +3453,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>Folder of results</source>
         <translation>Dossier de résultats</translation>
-    </message>
-    <message>
-        <source>Folder of report.html (default: DIR)</source>
-        <translation>Dossier de report.html (par défaut&#xa0;: DIR)</translation>
     </message>
     <message>
         <source>Language of the report</source>
@@ -10063,72 +10039,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>annonce d&apos;un état du calcul</translation>
     </message>
     <message>
-        <source>holds no results of benchmarks</source>
-        <translation>ne contient pas de résultats de comparaisons</translation>
-    </message>
-    <message>
-        <source>Run packaging/benchmarks.sh, and give the folder that it filled.</source>
-        <translation>Exécutez packaging/benchmarks.sh et indiquez le dossier qu&apos;il a rempli.</translation>
-    </message>
-    <message>
-        <source>is not ns, us, ms or s</source>
-        <translation>n&apos;est ni ns, ni us, ni ms, ni s</translation>
-    </message>
-    <message>
         <source>For comparison: unmodified %1</source>
         <translation>Pour comparer&#xa0;: %1 non modifié</translation>
     </message>
     <message>
         <source>%1 as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
         <translation>%1 tel que l&apos;emploient les utilisateurs d&apos;OMPL&#xa0;: collisions par FCL, arêtes vérifiées par points&#xa0;; le premier chemin est jugé par notre certificat.</translation>
-    </message>
-    <message>
-        <source>mean of %1 over all runs</source>
-        <translation>moyenne de «&#xa0;%1&#xa0;» sur tous les essais</translation>
-    </message>
-    <message>
-        <source>mean of %1 over the solved runs</source>
-        <translation>moyenne de «&#xa0;%1&#xa0;» sur les essais résolus</translation>
-    </message>
-    <message>
-        <source>median of %1 over all runs</source>
-        <translation>médiane de «&#xa0;%1&#xa0;» sur tous les essais</translation>
-    </message>
-    <message>
-        <source>median of %1 over the solved runs</source>
-        <translation>médiane de «&#xa0;%1&#xa0;» sur les essais résolus</translation>
-    </message>
-    <message>
-        <source>%1 has not been run</source>
-        <translation>%1 n&apos;a pas été calculé</translation>
-    </message>
-    <message>
-        <source>%1 was never solved</source>
-        <translation>%1 n&apos;a jamais été résolu</translation>
-    </message>
-    <message>
-        <source>%1: %2; wanted below %3</source>
-        <translation>%1&#xa0;: %2&#xa0;; voulu sous %3</translation>
-    </message>
-    <message>
-        <source>%1: %2; wanted above %3</source>
-        <translation>%1&#xa0;: %2&#xa0;; voulu au-dessus de %3</translation>
-    </message>
-    <message>
-        <source>%1: %2 against %3: %4</source>
-        <translation>%1&#xa0;: %2 contre %3&#xa0;: %4</translation>
-    </message>
-    <message>
-        <source>%1, %2 times; wanted below %3</source>
-        <translation>%1, %2 fois&#xa0;; voulu sous %3</translation>
-    </message>
-    <message>
-        <source>%1, %2 times; wanted above %3</source>
-        <translation>%1, %2 fois&#xa0;; voulu au-dessus de %3</translation>
-    </message>
-    <message>
-        <source>Its rows are not part of this size of the study</source>
-        <translation>Ses lignes ne font pas partie de cette taille de l&apos;étude</translation>
     </message>
     <message>
         <source>Remove it to mean any.</source>
@@ -10975,46 +10891,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>n&apos;est pas «&#xa0;glissade-study-plan&#xa0;»</translation>
     </message>
     <message>
-        <source>%1 over %2</source>
-        <translation>%1 selon %2</translation>
-    </message>
-    <message>
-        <source>%1 over scenario and strategy</source>
-        <translation>%1 selon le scénario et la stratégie</translation>
-    </message>
-    <message>
-        <source>, OMPL&apos;s edges looked at every %1 %</source>
-        <translation>, arêtes d&apos;OMPL regardées tous les %1 %</translation>
-    </message>
-    <message>
-        <source>%1, with Wilson&apos;s 95 % interval.</source>
-        <translation>%1, avec l&apos;intervalle de Wilson à 95 %.</translation>
-    </message>
-    <message>
-        <source>%1, with quartiles.</source>
-        <translation>%1, avec les quartiles.</translation>
-    </message>
-    <message>
-        <source>Above each bar: success rate in %.</source>
-        <translation>Au-dessus de chaque barre&#xa0;: taux de réussite en %.</translation>
-    </message>
-    <message>
-        <source>Not on this axis: %1.</source>
-        <translation>Hors de cet axe&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>%1: %2 (%3 to %4), %5 of %6 solved</source>
-        <translation>%1&#xa0;: %2 (%3 à %4), %5 sur %6 résolus</translation>
-    </message>
-    <message>
-        <source>%1, paper: %2</source>
-        <translation>%1, article&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>paper</source>
-        <translation>article</translation>
-    </message>
-    <message>
         <source>is there a second time</source>
         <translation>y est une seconde fois</translation>
     </message>
@@ -11131,596 +11007,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Donnez time_limit, max_steps ou max_samples sous «&#xa0;limits&#xa0;».</translation>
     </message>
     <message>
-        <source>Study</source>
-        <translation>Étude</translation>
-    </message>
-    <message>
-        <source>%1, quick size</source>
-        <translation>%1, taille rapide</translation>
-    </message>
-    <message>
-        <source>%1, full size</source>
-        <translation>%1, taille complète</translation>
-    </message>
-    <message>
-        <source>Runs</source>
-        <translation>Essais</translation>
-    </message>
-    <message>
-        <source>%1 of %2, %3 of them solved, in %4 {4|cell|cells}</source>
-        <translation>%1 sur %2, dont %3 {3|résolu|résolus}, en %4 {4|cellule|cellules}</translation>
-    </message>
-    <message>
-        <source>Scenarios</source>
-        <translation>Scénarios</translation>
-    </message>
-    <message>
-        <source>Strategies</source>
-        <translation>Stratégies</translation>
-    </message>
-    <message>
-        <source>Operators</source>
-        <translation>Opérateurs</translation>
-    </message>
-    <message>
-        <source>Study file, SHA-256</source>
-        <translation>Fichier de l&apos;étude, SHA-256</translation>
-    </message>
-    <message>
-        <source>Plan, SHA-256</source>
-        <translation>Plan, SHA-256</translation>
-    </message>
-    <message>
-        <source>Typical roadmaps</source>
-        <translation>Graphes typiques</translation>
-    </message>
-    <message>
-        <source>How to repeat it</source>
-        <translation>Comment le refaire</translation>
-    </message>
-    <message>
-        <source>The whole study, from the folder of its file:</source>
-        <translation>Toute l&apos;étude, depuis le dossier de son fichier&#xa0;:</translation>
-    </message>
-    <message>
-        <source>The first run of each cell, from the same folder; the others differ in their --seed only:</source>
-        <translation>Le premier essai de chaque cellule, depuis le même dossier&#xa0;; les autres n&apos;en diffèrent que par --seed&#xa0;:</translation>
-    </message>
-    <message>
-        <source>After: %1.</source>
-        <translation>D&apos;après&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>What was run</source>
-        <translation>Ce qui a été calculé</translation>
-    </message>
-    <message>
-        <source>Results</source>
-        <translation>Résultats</translation>
-    </message>
-    <message>
-        <source>The paper&apos;s table, and ours</source>
-        <translation>Le tableau de l&apos;article, et le nôtre</translation>
-    </message>
-    <message>
-        <source>Findings</source>
-        <translation>Constats</translation>
-    </message>
-    <message>
-        <source>Plots</source>
-        <translation>Courbes</translation>
-    </message>
-    <message>
-        <source>How runs ended</source>
-        <translation>Comment les essais se sont terminés</translation>
-    </message>
-    <message>
-        <source>Time on the machine</source>
-        <translation>Temps sur la machine</translation>
-    </message>
-    <message>
-        <source>Seconds and memory are those of the machines that carried out the runs; they differ from machine to machine, and of what stands above only what names them depends on them. This report was written on %1.</source>
-        <translation>Les secondes et la mémoire sont celles des machines qui ont fait les essais&#xa0;; elles diffèrent d&apos;une machine à l&apos;autre, et de ce qui précède seul ce qui les nomme en dépend. Ce rapport a été écrit sur&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>Ours: median or mean as the column says, quartiles in brackets; success with Wilson&apos;s 95 % interval.</source>
-        <translation>Le nôtre&#xa0;: médiane ou moyenne selon la colonne, quartiles entre parenthèses&#xa0;; réussite avec l&apos;intervalle de Wilson à 95 %.</translation>
-    </message>
-    <message>
-        <source>Row</source>
-        <translation>Ligne</translation>
-    </message>
-    <message>
-        <source>Solved</source>
-        <translation>Résolus</translation>
-    </message>
-    <message>
-        <source>Success</source>
-        <translation>Réussite</translation>
-    </message>
-    <message>
-        <source>%1, paper</source>
-        <translation>%1, article</translation>
-    </message>
-    <message>
-        <source>%1, ours</source>
-        <translation>%1, Glissade</translation>
-    </message>
-    <message>
-        <source>Note on the paper</source>
-        <translation>Remarque sur l&apos;article</translation>
-    </message>
-    <message>
-        <source>Each compares every pair of cells that it speaks of; the numbers are of the pair that speaks most against it.</source>
-        <translation>Chacun compare toutes les paires de cellules dont il parle&#xa0;; les nombres sont ceux de la paire qui le contredit le plus.</translation>
-    </message>
-    <message>
-        <source>Finding</source>
-        <translation>Constat</translation>
-    </message>
-    <message>
-        <source>Verdict</source>
-        <translation>Verdict</translation>
-    </message>
-    <message>
-        <source>Pairs</source>
-        <translation>Paires</translation>
-    </message>
-    <message>
-        <source>Quantity</source>
-        <translation>Grandeur</translation>
-    </message>
-    <message>
-        <source>Numbers</source>
-        <translation>Nombres</translation>
-    </message>
-    <message>
-        <source>Operator</source>
-        <translation>Opérateur</translation>
-    </message>
-    <message>
-        <source>Planned</source>
-        <translation>Prévus</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Faits</translation>
-    </message>
-    <message>
-        <source>Median and quartiles over all runs.</source>
-        <translation>Médiane et quartiles de tous les essais.</translation>
-    </message>
-    <message>
-        <source>Planning (s)</source>
-        <translation>Planification (s)</translation>
-    </message>
-    <message>
-        <source>Planning (CPU s)</source>
-        <translation>Planification (s de processeur)</translation>
-    </message>
-    <message>
-        <source>Process (s)</source>
-        <translation>Processus (s)</translation>
-    </message>
-    <message>
-        <source>Process (CPU s)</source>
-        <translation>Processus (s de processeur)</translation>
-    </message>
-    <message>
-        <source>Memory (MB)</source>
-        <translation>Mémoire (Mo)</translation>
-    </message>
-    <message>
         <source>interrupted with %1 of %2 {2|run|runs} done</source>
         <translation>interrompu après %1 {1|essai|essais} sur %2</translation>
     </message>
     <message>
         <source>The same command goes on from here.</source>
         <translation>La même commande continue à partir d&apos;ici.</translation>
-    </message>
-    <message>
-        <source>time</source>
-        <translation>temps</translation>
-    </message>
-    <message>
-        <source>memory</source>
-        <translation>mémoire</translation>
-    </message>
-    <message>
-        <source>crashed</source>
-        <translation>interrompu</translation>
-    </message>
-    <message>
-        <source>holds</source>
-        <translation>vérifié</translation>
-    </message>
-    <message>
-        <source>does not hold</source>
-        <translation>réfuté</translation>
-    </message>
-    <message>
-        <source>open</source>
-        <translation>en suspens</translation>
-    </message>
-    <message>
-        <source>success rate</source>
-        <translation>taux de réussite</translation>
-    </message>
-    <message>
-        <source>virtual s</source>
-        <translation>temps virtuel (s)</translation>
-    </message>
-    <message>
-        <source>nodes</source>
-        <translation>nœuds</translation>
-    </message>
-    <message>
-        <source>edges</source>
-        <translation>arêtes</translation>
-    </message>
-    <message>
-        <source>random configurations</source>
-        <translation>configurations aléatoires</translation>
-    </message>
-    <message>
-        <source>Virtual time (s)</source>
-        <translation>Temps virtuel (s)</translation>
-    </message>
-    <message>
-        <source>Table I: influence of α without contact, environment 1</source>
-        <translation>Tableau I&#xa0;: influence de α sans contact, environnement 1</translation>
-    </message>
-    <message>
-        <source>Table II: influence of α with contact, environment 1</source>
-        <translation>Tableau II&#xa0;: influence de α avec contact, environnement 1</translation>
-    </message>
-    <message>
-        <source>Table III: influence of the number of contact samples N, environment 1</source>
-        <translation>Tableau III&#xa0;: influence du nombre N d&apos;échantillons de contact, environnement 1</translation>
-    </message>
-    <message>
-        <source>Table IV: influence of the contact distance d, environment 1</source>
-        <translation>Tableau IV&#xa0;: influence de la distance de contact d, environnement 1</translation>
-    </message>
-    <message>
-        <source>Table V: influence of α with contact, environment 2</source>
-        <translation>Tableau V&#xa0;: influence de α avec contact, environnement 2</translation>
-    </message>
-    <message>
-        <source>Figure 14: strategies on the shape game</source>
-        <translation>Figure 14&#xa0;: stratégies sur le jeu de formes</translation>
-    </message>
-    <message>
-        <source>Figure 14 on the roomier shape game</source>
-        <translation>Figure 14 sur le jeu de formes plus large</translation>
-    </message>
-    <message>
-        <source>Time (s)</source>
-        <translation>Temps (s)</translation>
-    </message>
-    <message>
-        <source>Nodes</source>
-        <translation>Nœuds</translation>
-    </message>
-    <message>
-        <source>Edges</source>
-        <translation>Arêtes</translation>
-    </message>
-    <message>
-        <source>Success rate</source>
-        <translation>Taux de réussite</translation>
-    </message>
-    <message>
-        <source>Random configurations</source>
-        <translation>Configurations aléatoires</translation>
-    </message>
-    <message>
-        <source>Random configurations (mean)</source>
-        <translation>Configurations aléatoires (moyenne)</translation>
-    </message>
-    <message>
-        <source>Any operator beats none by more than ten times in nodes.</source>
-        <translation>Un opérateur quel qu&apos;il soit fait mieux que personne, de plus de dix fois en nœuds.</translation>
-    </message>
-    <message>
-        <source>Any operator beats none by more than fifty times in time.</source>
-        <translation>Un opérateur quel qu&apos;il soit fait mieux que personne, de plus de cinquante fois en temps.</translation>
-    </message>
-    <message>
-        <source>Any operator beats none by more than a hundred times in time.</source>
-        <translation>Un opérateur quel qu&apos;il soit fait mieux que personne, de plus de cent fois en temps.</translation>
-    </message>
-    <message>
-        <source>Small α is slow without contact: α = 0.3 to 0.1 take more than twice the time of α = 0.95 to 0.4.</source>
-        <translation>Sans contact un petit α est lent&#xa0;: α = 0.3 à 0.1 prennent plus de deux fois le temps de α = 0.95 à 0.4.</translation>
-    </message>
-    <message>
-        <source>α = 0.95 is the fastest row.</source>
-        <translation>α = 0.95 est la ligne la plus rapide.</translation>
-    </message>
-    <message>
-        <source>With contact small α is fast: α = 0.2 to 0.01 need fewer nodes than α = 0.8 and 0.5.</source>
-        <translation>Avec contact un petit α est rapide&#xa0;: α = 0.2 à 0.01 demandent moins de nœuds que α = 0.8 et 0.5.</translation>
-    </message>
-    <message>
-        <source>α = 0.08 is the fastest row.</source>
-        <translation>α = 0.08 est la ligne la plus rapide.</translation>
-    </message>
-    <message>
-        <source>With contact even the operator alone, α = 0, finds a path every time.</source>
-        <translation>Avec contact même l&apos;opérateur seul, α = 0, trouve un chemin à chaque fois.</translation>
-    </message>
-    <message>
-        <source>N has little influence on environment 1: within a factor of four in time.</source>
-        <translation>N a peu d&apos;influence sur l&apos;environnement 1&#xa0;: moins d&apos;un facteur quatre en temps.</translation>
-    </message>
-    <message>
-        <source>N has little influence on environment 1: within a factor of two in nodes.</source>
-        <translation>N a peu d&apos;influence sur l&apos;environnement 1&#xa0;: moins d&apos;un facteur deux en nœuds.</translation>
-    </message>
-    <message>
-        <source>N = 5 is the fastest row.</source>
-        <translation>N = 5 est la ligne la plus rapide.</translation>
-    </message>
-    <message>
-        <source>d has little influence on environment 1: within a factor of two in time.</source>
-        <translation>d a peu d&apos;influence sur l&apos;environnement 1&#xa0;: moins d&apos;un facteur deux en temps.</translation>
-    </message>
-    <message>
-        <source>d has little influence on environment 1: within a factor of 1.2 in nodes.</source>
-        <translation>d a peu d&apos;influence sur l&apos;environnement 1&#xa0;: moins d&apos;un facteur 1.2 en nœuds.</translation>
-    </message>
-    <message>
-        <source>The BiRRT alone finds no path.</source>
-        <translation>Le BiRRT seul ne trouve pas de chemin.</translation>
-    </message>
-    <message>
-        <source>Contact beats no contact at equal α = 0.5 by more than ten times in time.</source>
-        <translation>À α = 0.5 égal, le contact fait mieux que son absence de plus de dix fois en temps.</translation>
-    </message>
-    <message>
-        <source>Contact beats no contact at equal α = 0.5 in nodes.</source>
-        <translation>À α = 0.5 égal, le contact fait mieux que son absence en nœuds.</translation>
-    </message>
-    <message>
-        <source>Extremes of α are worse: α = 0.98, 0.95 and 0.05 take longer than any between.</source>
-        <translation>Les extrêmes de α sont moins bons&#xa0;: α = 0.98, 0.95 et 0.05 prennent plus de temps que tous les autres entre eux.</translation>
-    </message>
-    <message>
-        <source>α = 0, the operator alone, finds no path.</source>
-        <translation>α = 0, l&apos;opérateur seul, ne trouve pas de chemin.</translation>
-    </message>
-    <message>
-        <source>G fails on the pentagon and the star.</source>
-        <translation>G échoue sur le pentagone et l&apos;étoile.</translation>
-    </message>
-    <message>
-        <source>G succeeds on the circle, the square and the triangle.</source>
-        <translation>G réussit sur le cercle, le carré et le triangle.</translation>
-    </message>
-    <message>
-        <source>GT fails where the nearest hole does not fit: circle, square, star.</source>
-        <translation>GT échoue là où le trou le plus proche ne convient pas&#xa0;: cercle, carré, étoile.</translation>
-    </message>
-    <message>
-        <source>GTS1 fails on the star, which has no hole of its shape.</source>
-        <translation>GTS1 échoue sur l&apos;étoile, qui n&apos;a pas de trou de sa forme.</translation>
-    </message>
-    <message>
-        <source>GTS2 succeeds most often of the paper&apos;s four on the star.</source>
-        <translation>GTS2 est celle des quatre de l&apos;article qui réussit le plus souvent sur l&apos;étoile.</translation>
-    </message>
-    <message>
-        <source>GTS2 needs less than a tenth of G&apos;s random configurations on the square, the triangle, the pentagon and the star.</source>
-        <translation>GTS2 demande moins d&apos;un dixième des configurations aléatoires de G sur le carré, le triangle, le pentagone et l&apos;étoile.</translation>
-    </message>
-    <message>
-        <source>Our GTS needs fewer random configurations than any of the paper&apos;s.</source>
-        <translation>Notre GTS demande moins de configurations aléatoires que toutes celles de l&apos;article.</translation>
-    </message>
-    <message>
-        <source>α is the share of the computer; α = 1 is the plain BiRRT, without any operator. Lockstep at 40 planner steps a second of the operator&apos;s time, as fast as the paper&apos;s planner with him.</source>
-        <translation>α est la part de l&apos;ordinateur&#xa0;; α = 1 est le BiRRT simple, sans aucun opérateur. Pas à pas, 40 pas du planificateur par seconde de l&apos;opérateur&#xa0;: l&apos;allure du planificateur de l&apos;article avec lui.</translation>
-    </message>
-    <message>
-        <source>As table I, with contact sampling near obstacles (N = 10, d = 0.15 m). Lockstep at 40 planner steps a second of the operator&apos;s time, as fast as the paper&apos;s planner with him.</source>
-        <translation>Comme le tableau I, avec échantillonnage au contact près des obstacles (N = 10, d = 0.15 m). Pas à pas, 40 pas du planificateur par seconde de l&apos;opérateur&#xa0;: l&apos;allure du planificateur de l&apos;article avec lui.</translation>
-    </message>
-    <message>
-        <source>α = 0.2, d = 0.15 m. Lockstep at 40 planner steps a second of the operator&apos;s time, as fast as the paper&apos;s planner with him.</source>
-        <translation>α = 0.2, d = 0.15 m. Pas à pas, 40 pas du planificateur par seconde de l&apos;opérateur&#xa0;: l&apos;allure du planificateur de l&apos;article avec lui.</translation>
-    </message>
-    <message>
-        <source>α = 0.2, N = 5. Lockstep at 40 planner steps a second of the operator&apos;s time, as fast as the paper&apos;s planner with him.</source>
-        <translation>α = 0.2, N = 5. Pas à pas, 40 pas du planificateur par seconde de l&apos;opérateur&#xa0;: l&apos;allure du planificateur de l&apos;article avec lui.</translation>
-    </message>
-    <message>
-        <source>N = 10, d = 0.15 m; with what section III.G says of the plain BiRRT, of no contact and of α = 0. Lockstep at 40 planner steps a second of the operator&apos;s time, as fast as the paper&apos;s planner with him.</source>
-        <translation>N = 10, d = 0.15 m&#xa0;; avec ce que dit la section III.G du BiRRT simple, de l&apos;absence de contact et de α = 0. Pas à pas, 40 pas du planificateur par seconde de l&apos;opérateur&#xa0;: l&apos;allure du planificateur de l&apos;article avec lui.</translation>
-    </message>
-    <message>
-        <source>Preset &quot;tight&quot;, the limits of section 6.1: 100,000 random configurations a topological step, 2,000 a border, 1,000,000 for G. GTS is ours: computed compatibility, scores, a loop.</source>
-        <translation>Variante «&#xa0;tight », limites de la section 6.1&#xa0;: 100 000 configurations aléatoires par étape topologique, 2 000 par frontière, 1 000 000 pour G. GTS est la nôtre&#xa0;: compatibilité calculée, notes, boucle.</translation>
-    </message>
-    <message>
-        <source>Preset &quot;paper-like&quot;: wider holes, as the drawings of the paper suggest. The limits of section 6.1.</source>
-        <translation>Variante «&#xa0;paper-like&#xa0;»&#xa0;: trous plus larges, comme le suggèrent les dessins de l&apos;article. Limites de la section 6.1.</translation>
-    </message>
-    <message>
-        <source>printed as 2h45m</source>
-        <translation>imprimé «&#xa0;2h45m&#xa0;»</translation>
-    </message>
-    <message>
-        <source>edges as printed; violates edges=2*nodes-2 (2566 expected); 1074 equals the alpha=0.08 row of Table II, so probably a copy error</source>
-        <translation>arêtes telles qu&apos;imprimées&#xa0;; contredit arêtes = 2·nœuds − 2 (2566 attendues)&#xa0;; 1074 est la ligne α = 0.08 du tableau II, donc sans doute une erreur de copie</translation>
-    </message>
-    <message>
-        <source>fastest row</source>
-        <translation>ligne la plus rapide</translation>
-    </message>
-    <message>
-        <source>printed as 2h45m; same run as Table I (alpha=1 never enters contact)</source>
-        <translation>imprimé «&#xa0;2h45m&#xa0;»&#xa0;; même essai qu&apos;au tableau I (α = 1 n&apos;entre jamais en contact)</translation>
-    </message>
-    <message>
-        <source>one edge pair short of 2*nodes-2 (3456)</source>
-        <translation>une paire d&apos;arêtes de moins que 2·nœuds − 2 (3456)</translation>
-    </message>
-    <message>
-        <source>section III.G</source>
-        <translation>section III.G</translation>
-    </message>
-    <message>
-        <source>odd edge count as printed (4050 expected)</source>
-        <translation>nombre impair d&apos;arêtes, tel qu&apos;imprimé (4050 attendues)</translation>
-    </message>
-    <message>
-        <source>pentagon hole, narrow</source>
-        <translation>trou pentagonal, étroit</translation>
-    </message>
-    <message>
-        <source>mostly pentagon hole</source>
-        <translation>le plus souvent le trou pentagonal</translation>
-    </message>
-    <message>
-        <source>triangular hole, not the larger passage (text)</source>
-        <translation>trou triangulaire, non le passage plus large (texte)</translation>
-    </message>
-    <message>
-        <source>mainly pentagon hole</source>
-        <translation>surtout le trou pentagonal</translation>
-    </message>
-    <message>
-        <source>pentagon hole, large</source>
-        <translation>trou pentagonal, large</translation>
-    </message>
-    <message>
-        <source>pentagon hole, largest</source>
-        <translation>trou pentagonal, le plus large</translation>
-    </message>
-    <message>
-        <source>triangular hole (not compatible)</source>
-        <translation>trou triangulaire (non compatible)</translation>
-    </message>
-    <message>
-        <source>square hole, large (semantic)</source>
-        <translation>trou carré, large (sémantique)</translation>
-    </message>
-    <message>
-        <source>round hole, large (semantic)</source>
-        <translation>trou rond, large (sémantique)</translation>
-    </message>
-    <message>
-        <source>square hole, large</source>
-        <translation>trou carré, large</translation>
-    </message>
-    <message>
-        <source>Five rigid-body problems of OMPL.app, which are not part of Glissade: they are looked for in shared/problems/omplapp beside its folder. OMPL&apos;s planners run as OMPL&apos;s users run them: its metric and defaults, collisions by FCL, edges looked at every 1 % or 0.1 % of the extent, the range its default (20 % of the extent), 3 % or 1 %. Our certificate judges their paths; one that it refuses (not-certified) is not solved. Seconds are of the processor, but auto, which plans in lanes, is held to what one waits; over all runs: one that was not solved counts with the time it had.</source>
-        <translation>Cinq problèmes de corps rigides d&apos;OMPL.app, qui ne font pas partie de Glissade&#xa0;: on les cherche dans shared/problems/omplapp à côté de son dossier. Les planificateurs d&apos;OMPL tournent comme chez leurs utilisateurs&#xa0;: métrique et valeurs par défaut d&apos;OMPL, collisions par FCL, arêtes regardées tous les 1 % ou 0,1 % de l&apos;étendue, portée par défaut (20 % de l&apos;étendue), 3 % ou 1 %. Notre certificat juge leurs chemins&#xa0;; celui qu&apos;il refuse (non certifié) n&apos;est pas résolu. Les secondes sont celles du processeur, mais auto, qui planifie sur plusieurs voies, est jugé au temps d&apos;attente&#xa0;; sur tous les essais&#xa0;: un essai non résolu compte avec le temps qu&apos;il a eu.</translation>
-    </message>
-    <message>
-        <source>Problems nobody here wrote: auto beside OMPL&apos;s planners</source>
-        <translation>Des problèmes que personne ici n&apos;a écrits&#xa0;: auto à côté des planificateurs d&apos;OMPL</translation>
-    </message>
-    <message>
-        <source>Problems of our own making: auto beside OMPL&apos;s planners</source>
-        <translation>Des problèmes que nous avons faits : auto à côté des planificateurs d&apos;OMPL</translation>
-    </message>
-    <message>
-        <source>Spirals, mazes, furniture in rooms and twisted tubes, as generate-made-problems writes them; generator and seeds were fixed before the first run. OMPL&apos;s planners run as OMPL&apos;s users run them: its metric and defaults, collisions by FCL, edges looked at every 0.1 % of the extent, the range its default (20 % of the extent), 3 % or 1 %. Our certificate judges their paths; one that it refuses (not-certified) is not solved. Seconds are of the processor; over all runs: one that was not solved counts with the time it had.</source>
-        <translation>Spirales, labyrinthes, meubles dans des pièces et tubes tordus, tels que generate-made-problems les écrit ; le générateur et les graines ont été fixés avant le premier essai. Les planificateurs d&apos;OMPL tournent comme chez leurs utilisateurs : métrique et valeurs par défaut d&apos;OMPL, collisions par FCL, arêtes regardées tous les 0,1 % de l&apos;étendue, portée par défaut (20 % de l&apos;étendue), 3 % ou 1 %. Notre certificat juge leurs chemins ; celui qu&apos;il refuse (non certifié) n&apos;est pas résolu. Les secondes sont celles du processeur ; sur tous les essais : un essai non résolu compte avec le temps qu&apos;il a eu.</translation>
-    </message>
-    <message>
-        <source>auto takes a quarter of the processor time of OMPL&apos;s best.</source>
-        <translation>auto prend un quart du temps de processeur du meilleur d&apos;OMPL.</translation>
-    </message>
-    <message>
-        <source>RRT-Connect, range 3 %</source>
-        <translation>RRT-Connect, portée 3 %</translation>
-    </message>
-    <message>
-        <source>RRT-Connect, range 1 %</source>
-        <translation>RRT-Connect, portée 1 %</translation>
-    </message>
-    <message>
-        <source>auto solves 18 of 20 runs of bugtrap at least.</source>
-        <translation>auto résout au moins 18 essais sur 20 de bugtrap.</translation>
-    </message>
-    <message>
-        <source>auto solves every run of Easy, cubicles, Twistycool and alpha-1.5, with a certified path.</source>
-        <translation>auto résout tous les essais d&apos;Easy, cubicles, Twistycool et alpha-1.5, avec un chemin certifié.</translation>
-    </message>
-    <message>
-        <source>auto takes a fifth of the time of OMPL&apos;s best at 0.1 %.</source>
-        <translation>auto prend un cinquième du temps du meilleur d&apos;OMPL à 0,1 %.</translation>
-    </message>
-    <message>
-        <source>Automatic tuning of α, N and d against fixed settings</source>
-        <translation>Réglage automatique de α, N et d face à des réglages fixes</translation>
-    </message>
-    <message>
-        <source>Tuned runs are solved at least nine tenths as often as with the best fixed setting.</source>
-        <translation>Les essais réglés automatiquement sont résolus au moins neuf fois sur dix par rapport au meilleur réglage fixe.</translation>
-    </message>
-    <message>
-        <source>Tuned α, N and d are within 15 % of the best fixed setting in median steps, without knowing it.</source>
-        <translation>α, N et d réglés automatiquement sont à moins de 15 % du meilleur réglage fixe en pas médians, sans le connaître.</translation>
-    </message>
-    <message>
-        <source>α, N and d set themselves from what computer, operator and contact earned lately, against the best of a coarse grid of fixed settings, the same seeds for all. Lockstep at 40 planner steps a second of the operator&apos;s time.</source>
-        <translation>α, N et d se règlent d&apos;après ce que l&apos;ordinateur, l&apos;opérateur et le contact ont apporté récemment, face au meilleur d&apos;une grille grossière de réglages fixes, avec les mêmes graines pour tous. Pas à pas, à 40 pas du planificateur par seconde du temps de l&apos;opérateur.</translation>
-    </message>
-    <message>
-        <source>BiRRT alone, one run: 2 h 45 (paper 1, table I)</source>
-        <translation>BiRRT seul, un essai&#xa0;: 2 h 45 (article 1, tableau I)</translation>
-    </message>
-    <message>
-        <source>BiRRT alone: nothing in a night; a person with contact: 61 s (paper 1, table V)</source>
-        <translation>BiRRT seul&#xa0;: rien en une nuit&#xa0;; une personne avec contact&#xa0;: 61 s (article 1, tableau V)</translation>
-    </message>
-    <message>
-        <source>Environment 1: a median of 0.2 s at most.</source>
-        <translation>Environnement 1&#xa0;: une médiane de 0,2 s au plus.</translation>
-    </message>
-    <message>
-        <source>Environment 2: a median of 3 s at most.</source>
-        <translation>Environnement 2&#xa0;: une médiane de 3 s au plus.</translation>
-    </message>
-    <message>
-        <source>Environments 1 and 2: faster than our BiRRT and than OMPL&apos;s planners.</source>
-        <translation>Environnements 1 et 2&#xa0;: plus rapide que notre BiRRT et que les planificateurs d&apos;OMPL.</translation>
-    </message>
-    <message>
-        <source>Strategy auto without an operator, beside other planners: our BiRRT, GTS on the pump, and unmodified OMPL (edges looked at every 0.1 % of the extent). Seconds are of the processor, but what is asked of auto alone and beside GTS is what one waits; over all runs: one that was not solved counts with the time it had. A path of OMPL&apos;s counts as solved where our certificate holds.</source>
-        <translation>Stratégie auto sans opérateur, à côté d&apos;autres planificateurs&#xa0;: notre BiRRT, GTS sur la pompe, et OMPL non modifié (arêtes regardées tous les 0,1 % de l&apos;étendue). Les secondes sont celles du processeur, mais ce qui est demandé à auto seul et à côté de GTS est le temps d&apos;attente&#xa0;; sur tous les essais&#xa0;: un essai non résolu compte avec le temps qu&apos;il a eu. Un chemin d&apos;OMPL compte comme résolu là où notre certificat tient.</translation>
-    </message>
-    <message>
-        <source>The automatic planner on our samples</source>
-        <translation>Le planificateur automatique sur nos exemples</translation>
-    </message>
-    <message>
-        <source>The pump: ten times faster than GTS.</source>
-        <translation>La pompe&#xa0;: dix fois plus rapide que GTS.</translation>
-    </message>
-    <message>
-        <source>auto solves every run, with a certified path.</source>
-        <translation>auto résout tous les essais, avec un chemin certifié.</translation>
-    </message>
-    <message>
-        <source>Success rate (%)</source>
-        <translation>Taux de succès (%)</translation>
-    </message>
-    <message>
-        <source>Authority α</source>
-        <translation>Autorité α</translation>
-    </message>
-    <message>
-        <source>Contact samples N</source>
-        <translation>Échantillons de contact N</translation>
-    </message>
-    <message>
-        <source>Contact distance d (m)</source>
-        <translation>Distance de contact d (m)</translation>
     </message>
     <message>
         <source>Work of each station</source>
@@ -11817,6 +11109,54 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>no motion was found: &apos;%1&apos; is cut, because its clash with &apos;%2&apos; (%3) is accepted; if &apos;%2&apos; is the one to cut, name it (--cut &quot;%2&quot;)</source>
         <translation>aucun mouvement n&apos;a été trouvé&#xa0;: «&#xa0;%1&#xa0;» est découpée, car sa collision avec «&#xa0;%2&#xa0;» (%3) est acceptée&#xa0;; si c&apos;est «&#xa0;%2&#xa0;» qu&apos;il faut découper, nommez-la (--cut &quot;%2&quot;)</translation>
+    </message>
+    <message>
+        <source>Write report.html, too (needs Python and matplotlib)</source>
+        <translation>Écrire aussi report.html (demande Python et matplotlib)</translation>
+    </message>
+    <message>
+        <source>Folder of report.html and of the tables (default: DIR)</source>
+        <translation>Dossier de report.html et des tableaux (par défaut&#xa0;: DIR)</translation>
+    </message>
+    <message>
+        <source>see %1; &apos;glissade-cli report %2&apos; writes the page of the study</source>
+        <translation>voir %1&#xa0;; «&#xa0;glissade-cli report %2&#xa0;» écrit la page de l&apos;étude</translation>
+    </message>
+    <message>
+        <source>Choose a run in the folder of its study.</source>
+        <translation>Choisissez un essai dans le dossier de son étude.</translation>
+    </message>
+    <message>
+        <source>was stopped</source>
+        <translation>a été arrêté</translation>
+    </message>
+    <message>
+        <source>needs a module of Python that is not installed: %1</source>
+        <translation>demande un module de Python qui n&apos;est pas installé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Install it, or name a Python that has it by GLISSADE_PYTHON.</source>
+        <translation>Installez-le, ou nommez par GLISSADE_PYTHON un Python qui l&apos;a.</translation>
+    </message>
+    <message>
+        <source>has failed: %1</source>
+        <translation>a échoué&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>is not there; pages of studies are written by Python</source>
+        <translation>est absent&#xa0;; les pages des études sont écrites par Python</translation>
+    </message>
+    <message>
+        <source>Install it (apt install python3-matplotlib), or name it by GLISSADE_PYTHON.</source>
+        <translation>Installez-le (apt install python3-matplotlib), ou nommez-le par GLISSADE_PYTHON.</translation>
+    </message>
+    <message>
+        <source>is not found in the samples/studies of the program</source>
+        <translation>est introuvable dans samples/studies du programme</translation>
+    </message>
+    <message>
+        <source>Install Glissade as a whole.</source>
+        <translation>Installez Glissade en entier.</translation>
     </message>
 </context>
 <context>
@@ -14978,6 +14318,10 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <source>Joints</source>
         <translation>Liaisons</translation>
     </message>
+    <message>
+        <source>The run cannot be shown</source>
+        <translation>L&apos;essai ne peut pas être montré</translation>
+    </message>
 </context>
 <context>
     <name>glissade::ManualBrowser</name>
@@ -17226,121 +16570,10 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
 </context>
 <context>
-    <name>glissade::StudyBrowser</name>
-    <message>
-        <source>Holds</source>
-        <translation>Vérifié</translation>
-    </message>
-    <message>
-        <source>Does not hold</source>
-        <translation>Réfuté</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>En suspens</translation>
-    </message>
-    <message>
-        <source>Seed</source>
-        <translation>Graine</translation>
-    </message>
-    <message>
-        <source>Ending</source>
-        <translation>Issue</translation>
-    </message>
-    <message>
-        <source>Virtual s</source>
-        <translation>s virtuelles</translation>
-    </message>
-    <message>
-        <source>Nodes</source>
-        <translation>Nœuds</translation>
-    </message>
-    <message>
-        <source>Edges</source>
-        <translation>Arêtes</translation>
-    </message>
-    <message>
-        <source>Random</source>
-        <translation>Aléat.</translation>
-    </message>
-    <message>
-        <source>Study</source>
-        <translation>Étude</translation>
-    </message>
-    <message>
-        <source>&amp;Show this run</source>
-        <translation>&amp;Montrer cet essai</translation>
-    </message>
-    <message>
-        <source>Open the scenario with the strategy, operator, parameters and seed of the chosen run, and run it</source>
-        <translation>Ouvrir le scénario avec la stratégie, l&apos;opérateur, les paramètres et la graine de l&apos;essai choisi, et le lancer</translation>
-    </message>
-    <message>
-        <source>%1 — study</source>
-        <translation>%1 — étude</translation>
-    </message>
-    <message>
-        <source>Double-click a run to see it again, from its seed.</source>
-        <translation>Double-cliquez sur un essai pour le revoir, à partir de sa graine.</translation>
-    </message>
-    <message>
-        <source>Row</source>
-        <translation>Ligne</translation>
-    </message>
-    <message>
-        <source>Solved</source>
-        <translation>Résolus</translation>
-    </message>
-    <message>
-        <source>Success, 95 %</source>
-        <translation>Succès, 95&#xa0;%</translation>
-    </message>
-    <message>
-        <source>%1, paper</source>
-        <translation>%1, article</translation>
-    </message>
-    <message>
-        <source>%1, ours</source>
-        <translation>%1, Glissade</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 sur %2</translation>
-    </message>
-    <message>
-        <source>%1 of %2 pairs</source>
-        <translation>%1 paires sur %2</translation>
-    </message>
-    <message>
-        <source>The study declares no findings.</source>
-        <translation>L&apos;étude n&apos;énonce pas de constats.</translation>
-    </message>
-    <message>
-        <source>Findings</source>
-        <translation>Constats</translation>
-    </message>
-    <message>
-        <source>Cells of the study</source>
-        <translation>Cellules de l&apos;étude</translation>
-    </message>
-    <message>
-        <source>Plots</source>
-        <translation>Courbes</translation>
-    </message>
-    <message>
-        <source>Runs of the cell</source>
-        <translation>Essais de la cellule</translation>
-    </message>
-</context>
-<context>
     <name>glissade::StudyController</name>
     <message>
         <source>Open the results of a study</source>
         <translation>Ouvrir les résultats d&apos;une étude</translation>
-    </message>
-    <message>
-        <source>The study cannot be opened</source>
-        <translation>L&apos;étude ne peut pas être ouverte</translation>
     </message>
     <message>
         <source>Write the report</source>
@@ -17351,51 +16584,44 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Documents (*.pdf)</translation>
     </message>
     <message>
-        <source>The report cannot be written</source>
-        <translation>Le rapport ne peut pas être écrit</translation>
-    </message>
-    <message>
         <source>The run cannot be shown</source>
         <translation>L&apos;essai ne peut pas être montré</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n file(s) of runs could not be read and are left out.</source>
-        <translation>
-            <numerusform>%n fichier d&apos;essai n&apos;a pas pu être lu et est laissé de côté.</numerusform>
-            <numerusform>%n fichiers d&apos;essais n&apos;ont pas pu être lus et sont laissés de côté.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Seed %1 is running in the main window.</source>
-        <translation>L&apos;essai de graine %1 est en cours dans la fenêtre principale.</translation>
     </message>
     <message>
         <source>Seed %1 ended as in the study: %2 nodes.</source>
         <translation>L&apos;essai de graine %1 a fini comme dans l&apos;étude&#xa0;: %2 nœuds.</translation>
     </message>
     <message>
-        <source>Reading the study</source>
-        <translation>Lecture de l&apos;étude</translation>
-    </message>
-    <message>
-        <source>Save the plot</source>
-        <translation>Enregistrer la courbe</translation>
-    </message>
-    <message>
-        <source>Drawings (*.svg);;Pictures (*.png)</source>
-        <translation>Dessins (*.svg);;Images (*.png)</translation>
-    </message>
-    <message>
-        <source>The plot cannot be saved</source>
-        <translation>La courbe ne peut pas être enregistrée</translation>
-    </message>
-    <message>
-        <source>The file was saved, with a warning</source>
-        <translation>Le fichier a été enregistré, avec un avertissement</translation>
-    </message>
-    <message>
         <source>Seed %1 ended differently from the study: %2 nodes. Is this another version of Glissade?</source>
         <translation>La graine %1 n&apos;a pas fini comme dans l&apos;étude&#xa0;: %2 nœuds. Est-ce une autre version&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Open a run of a study</source>
+        <translation>Ouvrir un essai d&apos;une étude</translation>
+    </message>
+    <message>
+        <source>Runs of studies (cell*.json)</source>
+        <translation>Essais d&apos;études (cell*.json)</translation>
+    </message>
+    <message>
+        <source>Writing the page of the study</source>
+        <translation>Écriture de la page de l&apos;étude</translation>
+    </message>
+    <message>
+        <source>The page cannot be written</source>
+        <translation>La page ne peut pas être écrite</translation>
+    </message>
+    <message>
+        <source>The page was written, with a warning</source>
+        <translation>La page a été écrite, avec un avertissement</translation>
+    </message>
+    <message>
+        <source>The page is %1</source>
+        <translation>La page est %1</translation>
+    </message>
+    <message>
+        <source>Seed %1 of the study is running.</source>
+        <translation>La graine %1 de l&apos;étude est calculée.</translation>
     </message>
 </context>
 <context>

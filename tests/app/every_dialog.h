@@ -21,7 +21,6 @@
 #include "widgets/product/parts_dialog.h"
 #include "widgets/sequence/plan_graph_view.h"
 #include "widgets/sequence/times_view.h"
-#include "widgets/studies/study_browser.h"
 #include "widgets/view/named_views_dialog.h"
 #include "widgets/view/stereo_dialog.h"
 
@@ -56,7 +55,6 @@ class EveryDialog {
     dialogs_.push_back(std::make_unique<CalibrationDialog>(bench.session.hand(), settings_, bench.actions, &window));
     dialogs_.push_back(std::make_unique<HeadDialog>(
         HeadPreferences{}, [] { return HeadState{}; }, &window));
-    dialogs_.push_back(std::make_unique<StudyBrowser>(nullptr));
     dialogs_.push_back(std::make_unique<NamedViewsDialog>(NamedViews{}, &window));
   }
 

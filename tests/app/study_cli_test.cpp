@@ -50,15 +50,6 @@ class StudyCli : public testing::Test {
       EXPECT_FALSE(content.empty()) << table;
       EXPECT_TRUE(content == test::readWhole(path(b) + table)) << table << " of " << a << " and " << b;
     }
-    const std::string report = reportBeforeTiming(a);
-    EXPECT_FALSE(report.empty());
-    EXPECT_TRUE(report == reportBeforeTiming(b)) << "reports of " << a << " and " << b;
-  }
-  /// The part of a report that does not depend on the machine.
-  std::string reportBeforeTiming(const std::string& out) const {
-    const std::string page = test::readWhole(path(out) + "/report.html");
-    const std::size_t timing = page.find("<h2>Time on the machine</h2>");
-    return timing == std::string::npos ? "" : page.substr(0, timing);
   }
   /// Starts the study, sends it a signal when some runs have finished, and returns its exit status.
   int interruptAfter(std::size_t runs, int signal, const std::string& out) {

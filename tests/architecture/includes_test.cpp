@@ -260,9 +260,8 @@ const std::map<std::string, std::set<std::string>>& sharedFolders() {
       {"controls", {}},
       {"openxr", {"controls", "scene3d"}},
       {"scene3d", {"controls", "openxr"}},
-      {"plots", {"controls"}},
       {"document", {"controls"}},
-      {"workbench", {"controls", "scene3d", "openxr", "plots", "document"}},
+      {"workbench", {"controls", "scene3d", "openxr", "document"}},
   };
   return shared;
 }
@@ -276,7 +275,6 @@ const std::map<std::string, std::set<std::string>>& interfacesOfFeatures() {
        {"devices/device_settings.h", "measure/measure_controller.h", "run/parameter_sliders.h", "run/strategy_use.h",
         "run/refusal_controller.h", "section/section_controller.h", "sequence/sequence_controller.h"}},
       {"help", {"devices/keyboard_steering.h", "files/sample_scenarios.h", "paths/kept_paths_panel.h"}},
-      {"instruction", {"studies/plot_object.h"}},
       {"paths", {"film/film_dialog.h", "film/film_job.h", "instruction/report_file.h"}},
       {"run", {"files/file_controller.h", "places/rules_dialog.h"}},
       {"section", {"measure/measure_controller.h"}},

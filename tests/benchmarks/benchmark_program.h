@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 #include <glissade/version.h>
 
-#include "engine/study/machine.h"
+#include "tests/benchmarks/machine.h"
 
 namespace glissade {
 

@@ -12,7 +12,6 @@
 #include "engine/planning/contact/interactive_contact_birrt.h"
 #include "engine/planning/ompl/ompl_planner.h"
 #include "engine/planning/rrt.h"
-#include "engine/study/benchmarks/benchmark_results.h"
 #include "tests/benchmarks/benchmark_program.h"
 #include "tests/engine/support/random_pose.h"
 #include "tests/engine/support/test_worlds.h"
@@ -270,21 +269,42 @@ void registerChecks() {
 
 // --- results ---
 
-/// Prints as the console reporter, and keeps the points for the exponents.
+using PointsOfSeries = std::map<std::string, std::vector<std::pair<double, double>>>;
+
+/// The exponent k of y = c x^k, by least squares of the logarithms. Nothing for a single size.
+std::optional<double> fittedExponent(const std::vector<std::pair<double, double>>& points) {
+  double meanX = 0.0;
+  double meanY = 0.0;
+  for (const auto& [x, y] : points) {
+    meanX += std::log(x) / static_cast<double>(points.size());
+    meanY += std::log(y) / static_cast<double>(points.size());
+  }
+  double squares = 0.0;
+  double products = 0.0;
+  for (const auto& [x, y] : points) {
+    squares += (std::log(x) - meanX) * (std::log(x) - meanX);
+    products += (std::log(x) - meanX) * (std::log(y) - meanY);
+  }
+  if (squares <= 1e-12) return std::nullopt;
+  return products / squares;
+}
+
+/// Prints as the console reporter, and keeps the points (size, time) of each "quantity/who".
 class Points : public benchmark::ConsoleReporter {
  public:
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs) {
-      BenchmarkTime time;
-      time.name = run.benchmark_name();
-      time.seconds = 1e-6 * (hasOwnClock(time.name) ? run.GetAdjustedRealTime() : run.GetAdjustedCPUTime());
-      for (const auto& [name, counter] : run.counters) time.counters[name] = counter.value;
-      times.push_back(time);
+      const auto size = run.counters.find("size");
+      if (size == run.counters.end()) continue;
+      const std::string name = run.benchmark_name();
+      const bool ownClock = name.find("manual_time") != std::string::npos;
+      series[name.substr(0, name.find('/', name.find('/') + 1))].emplace_back(
+          size->second.value, ownClock ? run.GetAdjustedRealTime() : run.GetAdjustedCPUTime());
     }
     ConsoleReporter::ReportRuns(runs);
   }
 
-  std::vector<BenchmarkTime> times;
+  PointsOfSeries series;
 };
 
 int run(int argc, char** argv) {
@@ -294,9 +314,8 @@ int run(int argc, char** argv) {
   registerChecks();
   Points points;
   benchmark::RunSpecifiedBenchmarks(&points);
-  for (const GrowthSeries& series : growthSeries(points.times)) {
-    if (series.exponent)
-      std::printf("%-40s grows by n^%.2f\n", (series.quantity + "/" + series.who).c_str(), *series.exponent);
+  for (const auto& [name, series] : points.series) {
+    if (const auto exponent = fittedExponent(series)) std::printf("%-40s grows by n^%.2f\n", name.c_str(), *exponent);
   }
   return 0;
 }

@@ -114,7 +114,6 @@ constexpr std::pair<const char*, const char*> kButtonTexts[] = {
     {"work.cancel", QT_TRANSLATE_NOOP("Actions", "Cancel")},
     {"path.first-blocked", QT_TRANSLATE_NOOP("Actions", "Where is it blocked?")},
     {"view.path-authors", QT_TRANSLATE_NOOP("Actions", "Path by author")},
-    {"study.zoom-out", QT_TRANSLATE_NOOP("Actions", "Whole plot")},
     {"refusal.allow", QT_TRANSLATE_NOOP("Actions", "Allow as fits")},
     {"joints.confirm", QT_TRANSLATE_NOOP("Actions", "Confirm")},
     {"joints.confirm-all", QT_TRANSLATE_NOOP("Actions", "Confirm all")},

@@ -9,6 +9,7 @@
 #include "engine/files/part_files.h"
 #include "engine/files/path_reader.h"
 #include "engine/files/product_name.h"
+#include "engine/study/study_folder.h"
 #include "widgets/controls/plain_message_box.h"
 #include "widgets/files/save_conflict.h"
 #include "widgets/workbench/proposed_file.h"
@@ -284,6 +285,8 @@ void FileController::openFiles(const QStringList& files, PartsDialog::Purpose of
     parts_.ask(ofParts, partFiles);
   } else if (isPathFile(files.front().toStdString())) {
     path_.openOrShowError(files.front());
+  } else if (isStudyRunFile(files.front().toStdString())) {
+    emit runOfStudyChosen(files.front());
   } else {
     openInBackground(files.front());
   }

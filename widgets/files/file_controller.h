@@ -35,7 +35,8 @@ class FileController final : public QObject {
   void openInBackground(const QString& file);
   /// Opens, imports or examines the dropped files. Parts are added to the open scenario.
   void drop(const QMimeData& data);
-  /// Opens files of any kind: part files in the dialog of parts, a path file in the path panel, or a scenario.
+  /// Opens files of any kind: part files in the dialog of parts, a path file in the path panel, a run of a study, or a
+  /// scenario.
   /// Precondition: `files` is not empty.
   void openFiles(const QStringList& files, PartsDialog::Purpose ofParts);
   /// The folder of the open scenario, or of its parts if the scenario was never saved; empty without a scenario.
@@ -47,6 +48,8 @@ class FileController final : public QObject {
 
  signals:
   void recentFilesChanged();
+  /// A file of a run of a study is to be opened.
+  void runOfStudyChosen(const QString& file);
   /// The picture of the file's scenario has to be taken now: the scenario was saved, or another one may replace it in
   /// the scene.
   void pictureDue(const QString& file);

@@ -1,12 +1,12 @@
 #include "widgets/instruction/report_file.h"
 
 #include "engine/study/report_html.h"
-#include "widgets/controls/picture_file.h"
 #include "widgets/instruction/report_pdf.h"
+#include "widgets/studies/picture_file.h"
 
 namespace glissade {
 
-SaveResult saveReport(const StudyReport& report, const QString& file) {
+SaveResult saveReport(const Report& report, const QString& file) {
   if (file.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive)) return writeReportPdf(report, file);
   const auto page = reportHtml(report);
   return page ? saveFile(file.toStdString(), *page) : notSaved(page.error());

@@ -4,13 +4,13 @@
 #include <QString>
 
 #include "engine/base/file_save.h"
-#include "engine/study/study_report.h"
+#include "engine/study/report.h"
 #include "widgets/scene3d/scene_widget.h"
 
 namespace glissade {
 
 /// Writes a report as PDF if the file's name ends with .pdf, else as HTML.
-SaveResult saveReport(const StudyReport& report, const QString& file);
+SaveResult saveReport(const Report& report, const QString& file);
 
 /// Size of a picture on a page of a report, pixels.
 inline constexpr QSize kPagePicture(960, 600);

@@ -15,8 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/study/svg_plot.h"
-#include "widgets/studies/plot_object.h"
+#include "widgets/instruction/plot_object.h"
 
 namespace glissade {
 namespace {
@@ -109,13 +108,13 @@ class Composer {
     caption(table.caption);
   }
 
-  void operator()(const Plot& plot) {
+  void operator()(const ReportDrawing& drawing) {
     newBlock(pixels(2.0), 0.0);
     QTextCharFormat object;
     object.setObjectType(PlotObject::kType);
-    object.setProperty(PlotObject::kSvg, QByteArray::fromStdString(svgPlot(plot)));
+    object.setProperty(PlotObject::kSvg, QByteArray::fromStdString(drawing.svg));
     cursor_.insertText(QString(QChar::ObjectReplacementCharacter), object);
-    caption(plot.title + ". " + plot.caption);
+    caption(drawing.title + ". " + drawing.caption);
   }
 
   void operator()(const ReportPicture& picture) {
@@ -132,16 +131,6 @@ class Composer {
     format.setHeight(format.width() * image.height() / image.width());
     cursor_.insertImage(format);
     caption(picture.caption);
-  }
-
-  void operator()(const ReportCommands& commands) {
-    QTextCharFormat fixed = font(6.5);
-    fixed.setFontFamily(QStringLiteral("DejaVu Sans Mono"));
-    fixed.setFontFixedPitch(true);
-    for (const std::string& line : commands.lines) {
-      newBlock(0.0, 0.0);
-      cursor_.insertText(text(line), fixed);
-    }
   }
 
  private:
@@ -208,7 +197,7 @@ class Composer {
 };
 
 bool isFigure(const ReportBlock& block) {
-  return std::holds_alternative<Plot>(block) || std::holds_alternative<ReportPicture>(block);
+  return std::holds_alternative<ReportDrawing>(block) || std::holds_alternative<ReportPicture>(block);
 }
 
 void drawPages(QTextDocument& document, const QString& title, QPdfWriter& writer) {
@@ -237,7 +226,7 @@ void drawPages(QTextDocument& document, const QString& title, QPdfWriter& writer
 
 }  // namespace
 
-SaveResult writeReportPdf(const StudyReport& report, const QString& file) {
+SaveResult writeReportPdf(const Report& report, const QString& file) {
   QBuffer content;
   content.open(QIODevice::WriteOnly);
   QPdfWriter writer(&content);

@@ -3,12 +3,12 @@
 #include <QString>
 
 #include "engine/base/file_save.h"
-#include "engine/study/study_report.h"
+#include "engine/study/report.h"
 
 namespace glissade {
 
 /// Writes a report as A4 pages with searchable text, plots as vectors, and page numbers. Needs a QGuiApplication for
 /// its fonts.
-SaveResult writeReportPdf(const StudyReport& report, const QString& file);
+SaveResult writeReportPdf(const Report& report, const QString& file);
 
 }  // namespace glissade

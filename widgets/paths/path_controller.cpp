@@ -114,7 +114,7 @@ void PathReportJob::start(const RunResults& results, const std::shared_ptr<const
   bench_.work.run(tr("Writing the report"),
                   [results, profile, scenario, folder, overview, tightest, words, file,
                    finished](const WorkWatch&) -> BackgroundTask::Delivery {
-                    const StudyReport report =
+                    const Report report =
                         pathReport({*results.path, *scenario, results.provenance, profile.get(), overview, tightest},
                                    words, lengthWords);
                     const SaveResult written = saveReport(report, file);

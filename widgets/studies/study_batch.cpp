@@ -9,12 +9,10 @@
 #include <iostream>
 
 #include "engine/base/file.h"
-#include "engine/study/benchmarks/benchmark_page.h"
-#include "engine/study/cell_value.h"
-#include "widgets/controls/picture_file.h"
+#include "engine/study/short_number.h"
+#include "engine/study/study_page.h"
 #include "widgets/controls/window_language.h"
-#include "widgets/instruction/report_pdf.h"
-#include "widgets/studies/study_browser.h"
+#include "widgets/studies/picture_file.h"
 #include "widgets/studies/study_controller.h"
 
 namespace glissade {
@@ -79,12 +77,6 @@ void say(const Warnings& warnings) {
   for (const Diagnostic& warning : warnings) std::cerr << "glissade: " << toString(warning) << "\n";
 }
 
-Result<StudyReport> studyReport(const QString& path, Warnings& warnings) {
-  const auto folder = StudyFolder::open(path.toStdString());
-  if (!folder) return folder.error();
-  return reportOf(*folder, warnings, windowLanguage());
-}
-
 }  // namespace
 
 std::optional<Diagnostic> takeStudyPictures(const QString& path, const Workbench& bench, StudyController& studies) {
@@ -109,14 +101,17 @@ std::optional<Diagnostic> takeStudyPictures(const QString& path, const Workbench
 
 std::optional<Diagnostic> writeFolderPdf(const QString& path) {
   Warnings warnings;
-  const bool isStudy = QFile::exists(path + QStringLiteral("/plan.json"));
-  const auto report = isStudy ? studyReport(path, warnings) : benchmarkPage(path.toStdString(), warnings);
-  if (!report) return report.error();
+  const std::string folder = path.toStdString();
+  const auto page = [&]() -> Result<std::string> {
+    if (!QFile::exists(path + QStringLiteral("/plan.json"))) {
+      return writeBenchmarkPage(folder, {"", folder + "/benchmarks.pdf"}, warnings);
+    }
+    const auto study = StudyFolder::open(folder);
+    if (!study) return study.error();
+    return writeStudyPage(*study, {"", folder + "/report.pdf", windowLanguage()}, warnings);
+  }();
   say(warnings);
-  const SaveResult written =
-      writeReportPdf(*report, path + QStringLiteral("/%1.pdf").arg(isStudy ? "report" : "benchmarks"));
-  say(written.warnings);
-  return written ? std::nullopt : std::optional<Diagnostic>(written.why);
+  return page ? std::nullopt : std::optional<Diagnostic>(page.error());
 }
 
 }  // namespace glissade

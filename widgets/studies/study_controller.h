@@ -7,49 +7,42 @@
 
 namespace glissade {
 
-class StudyBrowser;
-
-/// Studies in the window: opens a folder of results in the browser, and shows one of its runs again.
+/// Studies in the window: writes the page of a folder of results and opens it in the browser of the desktop, and shows
+/// a run of a study again.
 class StudyController final : public QObject {
   Q_OBJECT
 
  public:
   StudyController(const Workbench& bench, FileController& files);
 
-  /// Opens a folder. Returns the failure, or nothing.
+  /// Writes the page of a folder. Returns the failure, or nothing.
   std::optional<Diagnostic> open(const QString& folder);
-  /// A study's folder with its results.
-  struct Content {
-    StudyFolder folder;
-    StudyResults results;
-    Warnings warnings;
-  };
-  /// Shows a run of the browser's study again; the browser says whether it ended in the same way.
-  std::optional<Diagnostic> show(const StudyRun& run);
+  /// Shows the run of a file runs/cellN-seedM.json again; the status bar says whether it ended in the same way. Returns
+  /// the failure, or nothing.
+  std::optional<Diagnostic> openRun(const QString& file);
   /// Opens the run's scenario and starts the run with its settings. Returns the failure, or nothing.
   std::optional<Diagnostic> startRun(const StudyFolder& folder, const StudyRun& run);
   /// Whether the started run ended with the same number of nodes as in the study; nothing while it runs, or if the
   /// numbers cannot be compared.
   std::optional<bool> isAsInStudy(const RunOutcome& known) const;
-
-  /// Null until a study was opened.
-  StudyBrowser* browser() const { return browser_; }
+  /// The folder of the study that was opened last; empty: none.
+  const QString& folder() const { return folder_; }
 
  private:
-  static Result<Content> read(const QString& folder, const WorkWatch& watch);
-  void show(const Content& content);
   void choose();
+  void chooseRun();
   void choosePdf();
-  void choosePlotFile();
-  /// Shows why a file was not saved, or its warning.
-  void showSaved(const SaveResult& saved, const QString& failure);
-  void enablePlotActions();
+  /// Opens a run after the question about unsaved edits, and shows a failure in a dialog.
+  void openRunOrShowError(const QString& file);
+  /// Writes the page in the background, then opens it.
+  void writeInBackground(const QString& folder, const QString& pdf);
+  void showPage(const QString& folder, const QString& page);
   void watch(const SnapshotPtr& snapshot);
 
   const Workbench& bench_;
   FileController& files_;
-  StudyBrowser* browser_ = nullptr;
-  std::optional<StudyRun> shown_;  ///< the browser's run that is shown
+  QString folder_;
+  std::optional<StudyRunFile> shown_;  ///< the run of a study that is shown
 };
 
 }  // namespace glissade

@@ -1,8 +1,6 @@
-// Findings: read strictly, written back, and checked against results.
-#include <gmock/gmock.h>
+// Findings: read strictly and written back. samples/studies checks them against results.
 #include <gtest/gtest.h>
 
-#include "engine/study/finding_check.h"
 #include "engine/study/study_plan.h"
 #include "engine/study/study_reader.h"
 #include "tests/engine/study/study_fixture.h"
@@ -11,7 +9,6 @@ namespace glissade {
 namespace {
 
 using Json = nlohmann::json;
-using testing::HasSubstr;
 
 Json finding() {
   return Json::parse(R"({"text": "People beat none", "measure": "nodes", "statistic": "median", "over": "solved",
@@ -22,25 +19,6 @@ Result<Study> parse(const Json& finding, bool quick = false) {
   Json study = test::tinyStudy();
   study["findings"] = {finding};
   return parseStudy(study.dump(), "study.json", quick);
-}
-
-/// Solved runs with these numbers of nodes, for each cell.
-std::vector<CellSummary> summariesOf(const std::vector<std::vector<double>>& nodes) {
-  std::vector<CellSummary> summaries;
-  for (const auto& sample : nodes) {
-    CellSummary summary;
-    summary.planned = summary.runs = 4;
-    summary.statuses[static_cast<std::size_t>(RunStatus::Solved)] = sample.size();
-    summary.success = wilson95(sample.size(), summary.runs);
-    summary.measures = {{"nodes", distributionOf(sample), distributionOf(sample)}};
-    summaries.push_back(summary);
-  }
-  return summaries;
-}
-
-CheckedFinding checked(const Json& finding, const std::vector<std::vector<double>>& nodes) {
-  const auto study = parse(finding);
-  return checkFinding(study->heading.findings.front(), *study, summariesOf(nodes));
 }
 
 TEST(Finding, IsReadAndWrittenBack) {
@@ -83,37 +61,6 @@ TEST(Finding, WhatCannotBeMeantIsRefusedAtItsPlace) {
 TEST(Finding, NamesOfRowsThatQuickLeavesOutAreKnown) {
   const auto study = parse(finding(), true);
   ASSERT_TRUE(study.ok()) << toString(study.error().reason);
-  const CheckedFinding result = checkFinding(study->heading.findings.front(), *study, summariesOf({{5, 6}}));
-  EXPECT_EQ(result.verdict, Verdict::Open);
-  EXPECT_EQ(result.compared, 0U);
-}
-
-TEST(Finding, HoldsWhenEveryPairDoes) {
-  const CheckedFinding result = checked(finding(), {{1000, 1000}, {90, 90}, {50, 50}});
-  EXPECT_EQ(result.verdict, Verdict::Holds);
-  EXPECT_EQ(result.compared, 2U);
-  EXPECT_EQ(result.agreeing, 2U);
-  EXPECT_THAT(result.numbers, HasSubstr("90 against plain: 1000, 0.09 times"));
-}
-
-TEST(Finding, IsRefutedByOnePairAndNamesIt) {
-  const CheckedFinding result = checked(finding(), {{1000, 1000}, {90, 90}, {120, 120}});
-  EXPECT_EQ(result.verdict, Verdict::Refuted);
-  EXPECT_EQ(result.agreeing, 1U);
-  EXPECT_THAT(result.numbers, HasSubstr("0.12 times; wanted below 0.1"));
-}
-
-TEST(Finding, StaysOpenWhereARowWasNeverSolved) {
-  const CheckedFinding result = checked(finding(), {{}, {90}, {50}});
-  EXPECT_EQ(result.verdict, Verdict::Open);
-  EXPECT_THAT(result.numbers, HasSubstr("plain was never solved"));
-}
-
-TEST(Finding, ComparesWithANumber) {
-  Json share = Json::parse(R"({"text": "t", "measure": "success_rate", "cells": {"rows": ["plain"]},
-                               "is": "above", "than": 0.6})");
-  EXPECT_EQ(checked(share, {{1, 1, 1}, {1}, {1}}).verdict, Verdict::Holds);
-  EXPECT_EQ(checked(share, {{1, 1}, {1}, {1}}).verdict, Verdict::Refuted);
 }
 
 }  // namespace

@@ -180,7 +180,7 @@ TEST(PlanGraph, StuckPartsHaveArrowsFromWhatBlocksThem) {
   EXPECT_NE(svg.find("cabinet (reste)"), std::string::npos);
 }
 
-std::size_t headings(const StudyReport& report) {
+std::size_t headings(const Report& report) {
   return static_cast<std::size_t>(std::count_if(report.blocks.begin(), report.blocks.end(), [](const auto& block) {
     return std::holds_alternative<ReportHeading>(block);
   }));
@@ -189,7 +189,7 @@ std::size_t headings(const StudyReport& report) {
 TEST(PlanReport, HasAPageForEachStepInTheOrderOfAssembly) {
   const AssembledProduct product = test::lockedDrawer();
   const AssemblyPlan plan = somePlan();
-  const StudyReport report =
+  const Report report =
       planReport({plan, product, "drawer", 1e-5, {}, {StepCheck::Agrees, StepCheck::Disagrees}, {}, "", "", {}},
                  wordsIn(Language::English));
   EXPECT_EQ(headings(report), 4U) << "parts list, two steps, parts without a step";

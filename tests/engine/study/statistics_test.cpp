@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 namespace glissade {
 namespace {
 
@@ -58,20 +56,6 @@ TEST(Distribution, DoesNotDependOnTheOrderGiven) {
   const std::vector<double> sample{0.1, 1e17, 0.3, -1e17, 0.7};
   std::vector<double> reversed(sample.rbegin(), sample.rend());
   EXPECT_EQ(distributionOf(sample).mean, distributionOf(reversed).mean);
-}
-
-TEST(FittedExponent, IsThatOfAPower) {
-  std::vector<std::pair<double, double>> points;
-  for (const double x : {10.0, 100.0, 3000.0}) points.emplace_back(x, 7.0 * std::pow(x, 0.4));
-  EXPECT_NEAR(*fittedExponent(points), 0.4, 1e-12);
-  points.emplace_back(1e4, 1.0);
-  EXPECT_LT(*fittedExponent(points), 0.4);
-}
-
-TEST(FittedExponent, NeedsTwoSizes) {
-  EXPECT_FALSE(fittedExponent({}));
-  EXPECT_FALSE(fittedExponent({{10.0, 1.0}}));
-  EXPECT_FALSE(fittedExponent({{10.0, 1.0}, {10.0, 2.0}}));
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ TEST(StudyTables, HaveARowARunAndACell) {
     ASSERT_TRUE(folder->save({0, seed}, outcome).ok());
   }
   ASSERT_TRUE(folder->save({1, 1}, RunOutcome()).ok());
-  ASSERT_TRUE(writeTables(*folder, warnings).ok());
+  ASSERT_TRUE(writeTables(*folder, folder->path(), warnings).ok());
 
   std::istringstream runs(test::readWhole(folder->file("runs.csv")));
   std::vector<std::string> lines;
@@ -56,6 +56,9 @@ TEST(StudyTables, HaveARowARunAndACell) {
 
   const auto summary = nlohmann::json::parse(test::readWhole(folder->file("summary.json")));
   ASSERT_EQ(summary["cells"].size(), 3U);
+  ASSERT_EQ(summary["axes"].size(), 1U) << "limits are no axes";
+  EXPECT_EQ(summary["axes"][0]["key"], "extension_step");
+  EXPECT_EQ(summary["axes"][0]["unit"], "m");
   const auto& cell = summary["cells"][0];
   EXPECT_EQ(cell["runs"], 2);
   EXPECT_EQ(cell["statuses"]["solved"], 1);
