@@ -15,8 +15,8 @@
 #include "engine/base/file_save.h"
 #include "engine/base/memory_use.h"
 #include "engine/base/number_text.h"
+#include "widgets/controls/picture_file.h"
 #include "widgets/scene3d/camera_controller.h"
-#include "widgets/studies/picture_file.h"
 #include "widgets/workbench/scene_target.h"
 
 namespace glissade {

@@ -7,9 +7,9 @@
 #include <QVBoxLayout>
 
 #include "engine/files/scenario_bodies.h"
+#include "widgets/controls/picture_file.h"
 #include "widgets/files/sample_scenarios.h"
 #include "widgets/scene3d/camera_controller.h"
-#include "widgets/studies/picture_file.h"
 
 namespace glissade {
 namespace {

@@ -4,8 +4,8 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include "widgets/controls/picture_file.h"
 #include "widgets/film/ffmpeg_writer.h"
-#include "widgets/studies/picture_file.h"
 
 namespace glissade {
 namespace {

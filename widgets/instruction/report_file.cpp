@@ -1,8 +1,8 @@
 #include "widgets/instruction/report_file.h"
 
 #include "engine/study/report_html.h"
+#include "widgets/controls/picture_file.h"
 #include "widgets/instruction/report_pdf.h"
-#include "widgets/studies/picture_file.h"
 
 namespace glissade {
 

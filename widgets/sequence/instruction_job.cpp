@@ -21,7 +21,6 @@
 #include "widgets/sequence/instruction_controller.h"
 #include "widgets/sequence/plan_graph_view.h"
 #include "widgets/sequence/sequence_controller.h"
-#include "widgets/studies/picture_file.h"
 
 namespace glissade {
 namespace {

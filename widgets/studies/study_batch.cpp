@@ -11,8 +11,8 @@
 #include "engine/base/file.h"
 #include "engine/study/short_number.h"
 #include "engine/study/study_page.h"
+#include "widgets/controls/picture_file.h"
 #include "widgets/controls/window_language.h"
-#include "widgets/studies/picture_file.h"
 #include "widgets/studies/study_controller.h"
 
 namespace glissade {

@@ -4,7 +4,7 @@
 #include <QDir>
 #include <QFileInfo>
 
-#include "widgets/studies/picture_file.h"
+#include "widgets/controls/picture_file.h"
 
 namespace glissade {
 namespace {
