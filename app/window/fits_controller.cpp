@@ -57,8 +57,7 @@ void FitsController::find() {
   bench_.work.run(tr("Looking for fits"), [this, scenario](const WorkWatch& watch) -> BackgroundTask::Delivery {
     ThreadTeam alone(0);
     const auto table = std::make_shared<const Result<FitTable>>(FitTable::find(productOf(*scenario), alone, watch));
-    return [this, scenario, table] {
-      if (bench_.document.scenario() != scenario) return;
+    return [this, table] {
       if (!*table) {
         bench_.messages.showError(tr("The fits cannot be found"), table->error());
         return;

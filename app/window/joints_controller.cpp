@@ -152,9 +152,9 @@ void JointsController::followDocument(Changes what) {
     task_.cancel();
     found_.reset();
     panel_->setTable(nullptr);
-  } else if (found_ && (what & (Change::Arrangement | Change::Semantics))) {
+  } else if (found_ && (what & (Change::Arrangement | Change::Semantics | Change::Joints))) {
     if (isOfFoundJoints(what)) {
-      if (what & Change::Arrangement) showFound();
+      if (what & (Change::Arrangement | Change::Joints)) showFound();
     } else {
       found_.reset();
       panel_->setTable(nullptr);
@@ -308,10 +308,8 @@ Outcome JointsController::apply(const QString& text, const JointChange& change) 
   const std::vector<JointEdit> said = change(table->said());
   if (said == table->said()) return Done{};
   if (const auto why = newRefusal(*table, table->with(said))) return *why;
-  return bench_.document.edit(text, [change](Scenario& scenario) {
-    scenario.joints = change(scenario.joints);
-    return Outcome(Done{});
-  });
+  bench_.document.setJoints(text, said);
+  return Done{};
 }
 
 void JointsController::applyOrReport(const QString& text, const JointChange& change) {
