@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "engine/product/fit_edits.h"
-#include "engine/product/fit_table.h"
 #include "engine/scenario/product_file.h"
 
 namespace glissade {
@@ -54,18 +53,18 @@ void FitsController::followDocument(Changes what) {
 void FitsController::find() {
   const ScenarioPtr scenario = bench_.document.scenario();
   if (!scenario) return;
-  bench_.work.run(tr("Looking for fits"), [this, scenario](const WorkWatch& watch) -> BackgroundTask::Delivery {
-    ThreadTeam alone(0);
-    const auto table = std::make_shared<const Result<FitTable>>(FitTable::find(productOf(*scenario), alone, watch));
-    return [this, table] {
-      if (!*table) {
-        bench_.messages.showError(tr("The fits cannot be found"), table->error());
-        return;
-      }
-      panel_->setFits(std::make_shared<const std::vector<PairFit>>((*table)->pairs()));
-      enableActions();
-    };
-  });
+  bench_.work.run(tr("Looking for fits"),
+                  [this, scenario, finder = bench_.finder](const WorkWatch& watch) -> BackgroundTask::Delivery {
+                    ThreadTeam alone(0);
+                    return [this, table = finder->fits(productOf(*scenario), alone, watch)] {
+                      if (!table) {
+                        bench_.messages.showError(tr("The fits cannot be found"), table.error());
+                        return;
+                      }
+                      panel_->setFits({*table, &(*table)->pairs()});
+                      enableActions();
+                    };
+                  });
 }
 
 /// Selects both bodies, so that the view marks them.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "engine/product/joint_finder.h"
 #include "engine/scenario/product_file.h"
 #include "engine/scenario/scenario_fits.h"
 #include "engine/scenario/sequence_knowledge.h"
@@ -173,11 +172,12 @@ void JointsController::find() {
   const ScenarioPtr scenario = bench_.document.scenario();
   if (!scenario) return;
   const auto edits = bench_.document.edits();
-  const auto work = [this, scenario, edits](const WorkWatch& watch) -> BackgroundTask::Delivery {
+  const auto work = [this, scenario, edits,
+                     finder = bench_.finder](const WorkWatch& watch) -> BackgroundTask::Delivery {
     Found found{bodiesOf(*scenario), std::make_shared<const AssembledProduct>(productOf(*scenario)), {}, {}};
     found.classes = classesOf(*edits, found.product->bodies);
-    found.joints = std::make_shared<const Joints>(findJoints(*found.product, watch.stop, found.classes));
-    if (watch.stop.stopRequested()) return [] {};
+    found.joints = finder->joints(*found.product, found.classes, watch.stop);
+    if (!found.joints) return [] {};
     return [this, found = std::move(found)] { take(found); };
   };
   task_.start(GLISSADE_TEXT("looking for joints"), work, bench_.work.isAtOnce());

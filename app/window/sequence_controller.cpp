@@ -59,6 +59,7 @@ SequenceController::SequenceController(const Workbench& bench)
     : QObject(&bench.window),
       bench_(bench),
       panel_(new SequencePanel(bench.actions, &bench.window)),
+      planner_(bench.finder),
       instructions_(new InstructionController(bench, *this)),
       film_(
           bench.work, [&bench] { return bench.scene.picture(kFilmPicture); }, bench.scene.view().camera()),

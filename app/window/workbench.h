@@ -1,10 +1,13 @@
 #pragma once
 
+#include <memory>
+
 #include "app/script/script_commands.h"
 #include "app/window/file_dialogs.h"
 #include "app/window/messages.h"
 #include "app/window/shown_run.h"
 #include "app/window/work_controller.h"
+#include "engine/sequence/product_finder.h"
 #include "widgets/bridge/session_bridge.h"
 #include "widgets/commands/action_catalogue.h"
 #include "widgets/document/workbench_document.h"
@@ -15,6 +18,7 @@ namespace glissade {
 /// Objects that the controllers of the window share. The window owns them; they outlive the controllers.
 struct Workbench {
   WorkbenchDocument& document;
+  std::shared_ptr<ProductFinder> finder;  ///< shared with background work
   SessionBridge& session;
   ShownRun& run;
   SceneWidget& scene;

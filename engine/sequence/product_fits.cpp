@@ -29,38 +29,30 @@ const MeshPtr* thinnedOf(const std::vector<Fit>& fits, std::size_t obstacle, boo
 
 }  // namespace
 
-Result<ProductFits> ProductFits::find(const AssembledProduct& product, ThreadTeam& team, const WorkWatch& watch) {
-  ProductFits found;
-  for (const RigidBody& body : product.bodies) found.moving_.push_back({{}, {}, body.mesh});
-  if (!product.fits.on) {
-    found.prepared_ = std::make_shared<PreparedBodies>(product.bodies);
-    return found;
-  }
-  const auto table = FitTable::find(product, team, watch);
-  if (!table) return table.error();
-  for (std::size_t body = 0; body < found.moving_.size(); ++body) {
-    found.moving_[body].fits = table->objects()[body].allowed;
-    found.moving_[body].clashes = table->objects()[body].clashes;
-    found.moving_[body].axes = glissade::axesOf(table->objects()[body].contacts);
-  }
-  for (const PairFit& pair : table->pairs()) found.contacts_.push_back(pair.contact);
+ProductFits::ProductFits(const AssembledProduct& product, FitTablePtr table) : table_(std::move(table)) {
+  for (const RigidBody& body : product.bodies) whole_.push_back(body.mesh);
+  for (const ObjectFits& object : table_->objects()) axes_.push_back(glissade::axesOf(object.contacts));
+  for (const PairFit& pair : table_->pairs()) contacts_.push_back(pair.contact);
   for (const check::SnapWord& snap : product.snaps) {
     const auto hook = product.indexOf(snap.hook);
     const auto edge = product.indexOf(snap.edge);
     if (!hook || !edge) continue;
-    found.bentWays_[{*hook, *edge}] = snap.direction;
-    found.bentWays_[{*edge, *hook}] = -snap.direction;
+    bentWays_[{*hook, *edge}] = snap.direction;
+    bentWays_[{*edge, *hook}] = -snap.direction;
   }
-  found.warnings_ = table->warnings();
-  found.prepared_ = table->prepared();
-  return found;
+}
+
+Result<ProductFits> ProductFits::find(const AssembledProduct& product, ThreadTeam& team, const WorkWatch& watch) {
+  auto table = product.fits.on ? FitTable::find(product, team, watch) : FitTable::whole(product);
+  if (!table) return table.error();
+  return ProductFits(product, std::make_shared<const FitTable>(std::move(*table)));
 }
 
 std::vector<BodyFit> ProductFits::fitsOf(const BodyGroup& group, const BodySet& present) const {
   const BodySet others = without(present, group);
   std::vector<BodyFit> fits;
   for (const std::size_t body : group) {
-    for (const Fit& fit : moving_[body].fits) {
+    for (const Fit& fit : fitsOf(body)) {
       if (others[fit.obstacle]) fits.push_back({body, fit});
     }
   }
@@ -68,24 +60,24 @@ std::vector<BodyFit> ProductFits::fitsOf(const BodyGroup& group, const BodySet& 
 }
 
 const MeshPtr& ProductFits::obstacleFor(std::size_t body, std::size_t other) const {
-  const MeshPtr* thinned = thinnedOf(moving_[body].fits, other, true);
-  return thinned != nullptr ? *thinned : moving_[other].whole;
+  const MeshPtr* thinned = thinnedOf(fitsOf(body), other, true);
+  return thinned != nullptr ? *thinned : whole_[other];
 }
 
 const MeshPtr& ProductFits::meshAgainst(std::size_t body, std::size_t other) const {
-  const MeshPtr* thinned = thinnedOf(moving_[body].fits, other, false);
-  return thinned != nullptr ? *thinned : moving_[body].whole;
+  const MeshPtr* thinned = thinnedOf(fitsOf(body), other, false);
+  return thinned != nullptr ? *thinned : whole_[body];
 }
 
 const Fit* ProductFits::clashOf(std::size_t body, std::size_t other) const {
-  const std::vector<Fit>& clashes = moving_[body].clashes;
+  const std::vector<Fit>& clashes = table_->objects()[body].clashes;
   const auto found =
       std::find_if(clashes.begin(), clashes.end(), [&](const Fit& fit) { return fit.obstacle == other; });
   return found == clashes.end() ? nullptr : &*found;
 }
 
 const FitThread* ProductFits::threadOf(std::size_t body, std::size_t other) const {
-  for (const Fit& fit : moving_[body].fits) {
+  for (const Fit& fit : fitsOf(body)) {
     if (fit.obstacle == other && fit.thread) return &*fit.thread;
   }
   return nullptr;
