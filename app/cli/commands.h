@@ -15,7 +15,7 @@
 #include "engine/access/hand_measures.h"
 #include "engine/planning/smoothing/shortcuts.h"
 #include "engine/product/contact_report.h"
-#include "engine/scenario/fit_options.h"
+#include "engine/assembly/fit_options.h"
 #include "engine/scenario/part_files.h"
 #include "engine/study/study_plan.h"
 

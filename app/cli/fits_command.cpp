@@ -243,7 +243,7 @@ int runFits(const FitsOptions& options) {
   if (const Outcome left = leaveOut(options.without, *loaded); !left) return reportError(left.error(), options.console);
   reportWarnings(loaded->warnings, options.console);
   AssembledProduct product = loaded->product;
-  product.fits = withOptions(product.fits, options.fits);
+  options.fits.applyTo(product.fits);
   product.bodies = aboutTheirMiddles(std::move(product.bodies));
   ThreadTeam team(options.lanes - 1);
   const auto found = ProductFinder().fits(product, team, interrupt.token(), options.limits);

@@ -495,7 +495,7 @@ int runSequence(const SequenceOptions& options) {
   if (!loaded) return reportError(loaded.error(), options.console);
   if (const Outcome left = leaveOut(options.without, *loaded); !left) return reportError(left.error(), options.console);
   AssembledProduct& product = loaded->product;
-  product.fits = withOptions(product.fits, options.fits);
+  options.fits.applyTo(product.fits);
   if (earlier) {
     std::vector<std::string> ids;
     for (const RigidBody& body : product.bodies) ids.push_back(body.id);

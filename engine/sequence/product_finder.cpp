@@ -66,8 +66,8 @@ Result<ProductFindings> ProductFinder::findings(const AssembledProduct& product,
   }
   AssembledProduct bent = product;
   bent.snaps = bendsOf(countingJoints(counting, demands.jointUse), product);
-  if (!product.fits.on) return ProductFindings{std::move(counting), ProductFits(bent)};
-  const auto table = fits(bent, team, watch);
+  const auto table = product.fits.on ? fits(bent, team, watch)
+                                     : Result<FitTablePtr>(std::make_shared<const FitTable>(FitTable::whole(bent)));
   if (!table) return table.error();
   return ProductFindings{std::move(counting), ProductFits(bent, *table)};
 }
