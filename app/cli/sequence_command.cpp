@@ -337,7 +337,7 @@ void PlanPrinter::printNotes(const AssemblyStep& step, const std::string& before
   for (const std::string& id : step.falling) {
     printIndented(before, {GLISSADE_TEXT("to be held: %1"), {host_.nameOf(id)}});
   }
-  for (const StepAllowance& allowance : step.allowances) {
+  for (const Allowance& allowance : step.allowances) {
     printIndented(before, {GLISSADE_TEXT("allowance: %1"), {allowance.text}});
   }
 }
@@ -372,7 +372,7 @@ std::size_t screwHoles(const std::vector<AssemblyStep>& steps, const std::vector
   for (const AssemblyStep& step : steps) {
     holes += static_cast<std::size_t>(
         std::count_if(step.allowances.begin(), step.allowances.end(),
-                      [](const StepAllowance& each) { return each.hollow && each.kind == ContactKind::Thread; }));
+                      [](const Allowance& each) { return each.hollow && each.kind == ContactKind::Thread; }));
   }
   for (const SubassemblyLine& line : lines) holes += screwHoles(line.steps, line.lines);
   return holes;

@@ -48,12 +48,12 @@ Result<ProductFits> ProductFits::find(const AssembledProduct& product, ThreadTea
   return ProductFits(product, std::make_shared<const FitTable>(std::move(*table)));
 }
 
-std::vector<BodyFit> ProductFits::fitsOf(const BodyGroup& group, const BodySet& present) const {
+std::vector<Fit> ProductFits::fitsOf(const BodyGroup& group, const BodySet& present) const {
   const BodySet others = without(present, group);
-  std::vector<BodyFit> fits;
+  std::vector<Fit> fits;
   for (const std::size_t body : group) {
     for (const Fit& fit : fitsOf(body)) {
-      if (others[fit.obstacle]) fits.push_back({body, fit});
+      if (others[fit.obstacle]) fits.push_back(fit);
     }
   }
   return fits;
@@ -97,8 +97,8 @@ bool ProductFits::isHooked(const BodyGroup& group, const BodySet& present) const
 }
 
 bool ProductFits::isInThread(const BodyGroup& group, const BodySet& present) const {
-  const std::vector<BodyFit> fits = fitsOf(group, present);
-  return std::any_of(fits.begin(), fits.end(), [](const BodyFit& each) { return each.fit.thread.has_value(); });
+  const std::vector<Fit> fits = fitsOf(group, present);
+  return std::any_of(fits.begin(), fits.end(), [](const Fit& fit) { return fit.thread.has_value(); });
 }
 
 }  // namespace glissade

@@ -8,12 +8,6 @@
 
 namespace glissade {
 
-/// A fit of a motion: `body` moves past `fit.obstacle`.
-struct BodyFit {
-  std::size_t body = 0;
-  Fit fit;
-};
-
 /// The shapes that the bodies of each pair are taken to have when one of them moves past the other, by the table of
 /// fits. Immutable, shared by threads.
 class ProductFits {
@@ -26,7 +20,7 @@ class ProductFits {
   /// Fits of the body with other bodies.
   const std::vector<Fit>& fitsOf(std::size_t body) const { return table_->objects()[body].allowed; }
   /// Fits of the bodies of a group with bodies of the set outside of the group.
-  std::vector<BodyFit> fitsOf(const BodyGroup& group, const BodySet& present) const;
+  std::vector<Fit> fitsOf(const BodyGroup& group, const BodySet& present) const;
   /// The body thinned by its fit with the other body; the whole body if there is none.
   const MeshPtr& meshAgainst(std::size_t body, std::size_t other) const;
   /// The shape of the other body when the body moves past it: whole, or thinned.

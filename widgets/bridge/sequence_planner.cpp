@@ -35,11 +35,7 @@ class AnnouncingHost final : public SequenceHost {
   const StopToken& stopToken() const override { return token_; }
   ThreadTeam& team() override { return team_; }
 
-  void asking(std::size_t bodies, int effort) override {
-    grown_.asking = bodies;
-    grown_.effort = effort;
-    if (effort > 0) announce_(grown_);
-  }
+  void asking(std::size_t /*bodies*/, int /*effort*/) override {}
 
   void stepFound(const AssemblyPlan& plan) override {
     grown_.plan = std::make_shared<const AssemblyPlan>(plan);
@@ -56,7 +52,6 @@ class AnnouncingHost final : public SequenceHost {
     grown_.foundAfter.resize(
         std::min(grown_.foundAfter.size(), plan.steps.size() - std::min(known_, plan.steps.size())));
     grown_.plan = std::make_shared<const AssemblyPlan>(std::move(plan));
-    grown_.asking = 0;
     return grown_;
   }
 

@@ -35,10 +35,8 @@ struct SequenceJob {
 /// A plan as far as it has been found.
 struct GrownPlan {
   PlanPtr plan;
-  std::vector<double>
-      foundAfter;          ///< seconds since planning began, for each of the last steps, which were found since then
-  std::size_t asking = 0;  ///< number of parts whose removal is being searched now
-  int effort = 0;          ///< 0: straight motions; above: searches
+  /// Seconds since planning began, for each of the last steps, which were found since then.
+  std::vector<double> foundAfter;
 };
 
 /// Verdict of the independent check on the plan; `said` are a person's statements about the product.
