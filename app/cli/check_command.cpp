@@ -128,7 +128,7 @@ int checkPlan(const CheckOptions& options, const Interrupt& interrupt, const Sto
   {
     CheckProgress progress(options.console);
     verdict = check::judgePlan(*product, *plan, options.requiredClearance,
-                               {stop, [&](double share) { progress.show(share); }});
+                               {stop, [&](double share) { progress.show(share); }}, options.lanes);
   }
   verdict.planIsTrusted = options.trustPlan;
   if (options.console.json) {

@@ -2,17 +2,16 @@
 // exit code.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "app/cli/report.h"
 #include "engine/access/hand_measures.h"
+#include "engine/base/thread_team.h"
 #include "engine/planning/smoothing/shortcuts.h"
 #include "engine/product/contact_report.h"
 #include "engine/assembly/fit_options.h"
@@ -20,9 +19,6 @@
 #include "engine/study/study_plan.h"
 
 namespace glissade::cli {
-
-/// The number of threads of commands whose results do not depend on it.
-inline std::size_t usualLanes() { return std::max(1U, std::thread::hardware_concurrency()); }
 
 struct PlanOptions {
   std::string scenario;
@@ -64,6 +60,7 @@ struct CheckOptions {
   std::vector<std::string> open{};     ///< parts of several solids that are taken as their solids
   bool edges = false;                  ///< certificates of every edge
   double timeLimit = 0.0;              ///< seconds; 0: none
+  std::size_t lanes = usableCores();   ///< threads for the steps of a plan; they do not change the verdict
   Console console;
 };
 
@@ -115,7 +112,7 @@ struct FitsOptions {
   std::vector<std::string> without{};  ///< bodies and assemblies that are left out
   std::vector<std::string> open{};     ///< parts of several solids that are taken as their solids
   double deflection = 0.0;             ///< metres, for STEP files; 0: from the size of each part
-  std::size_t lanes = usualLanes();    ///< threads; they do not change the fits
+  std::size_t lanes = usableCores();   ///< threads; they do not change the fits
   bool csv = false;
   Console console;
 };
@@ -140,7 +137,7 @@ struct SequenceOptions {
   std::string strategy;                ///< empty: kUsualStrategy, or the strategy of the resumed plan
   std::optional<std::uint64_t> seed;   ///< absent: 1, or the seed of the resumed plan
   double timeLimit = 0.0;              ///< seconds; 0: none
-  std::size_t lanes = usualLanes();    ///< threads; they do not change the plan
+  std::size_t lanes = usableCores();   ///< threads; they do not change the plan
   std::vector<std::string> staying;    ///< ids or ends of ids of bodies that stay; empty: the largest body
   std::vector<std::string> together;   ///< demands: names with commas between them
   std::vector<std::string> before;     ///< demands: "first,then"

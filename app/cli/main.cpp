@@ -157,6 +157,7 @@ ParsedCommand addCheck(const ParsedCommand& app, CheckOptions& options) {
                     "clashes, demands that are given up"));
   addWithout(check, options.without);
   addOpen(check, options.open);
+  addLanes(check, options.lanes);
   check.option("--time-limit", options.timeLimit, GLISSADE_TEXT("Time limit in seconds; 0: none"))
       ->capture_default_str();
   addConsole(check, options.console);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <thread>
 
 #include "engine/base/thread_team.h"
 
@@ -20,7 +19,7 @@ void forEachInThreads(std::size_t count, std::size_t atOnce, const Take& take) {
     takePiece(0);
     return;
   }
-  ThreadTeam team(std::max(1U, std::thread::hardware_concurrency()) - 1U);
+  ThreadTeam team(usableCores() - 1);
   team.run(pieces, takePiece);
 }
 

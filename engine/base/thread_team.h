@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <condition_variable>
 #include <cstddef>
 #include <exception>
@@ -9,6 +10,9 @@
 #include <vector>
 
 namespace glissade {
+
+/// Number of threads that the machine runs at once, at least 1.
+inline std::size_t usableCores() { return std::max(1U, std::thread::hardware_concurrency()); }
 
 /// Threads that help the calling one with independent jobs. Used by one thread at a time; the helpers sleep in between
 /// and are joined in the destructor.

@@ -4,7 +4,6 @@
 #include <functional>
 #include <mutex>
 #include <set>
-#include <thread>
 
 #include "engine/base/thread_team.h"
 #include "engine/check/path_verdict.h"
@@ -165,7 +164,8 @@ bool LineVerdict::valid() const {
          std::all_of(steps.begin(), steps.end(), [](const StepVerdict& step) { return step.valid(); });
 }
 
-PlanVerdict judgePlan(const Product& read, const Plan& plan, std::optional<double> required, const WorkWatch& watch) {
+PlanVerdict judgePlan(const Product& read, const Plan& plan, std::optional<double> required, const WorkWatch& watch,
+                      std::size_t threads) {
   const Product product = withBends(read, plan);
   PlanVerdict verdict;
   PlacedBodies placed;
@@ -192,7 +192,7 @@ PlanVerdict judgePlan(const Product& read, const Plan& plan, std::optional<doubl
   }
   MotionBodies prepared(product.bodies);
   const StepTools tools{product, plan, required, placed, prepared, watch};
-  ThreadTeam team(std::max(1U, std::thread::hardware_concurrency()) - 1);
+  ThreadTeam team(threads - 1);
   std::mutex mutex;
   std::size_t judged = 0;
   team.run(open.size(), [&](std::size_t number) {

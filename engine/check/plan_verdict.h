@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/base/message.h"
+#include "engine/base/thread_team.h"
 #include "engine/base/work_watch.h"
 #include "engine/check/condition.h"
 #include "engine/check/motion_setup.h"
@@ -82,10 +83,11 @@ struct PlanVerdict {
 
 /// Judges every step, including those of lines. Each of its bodies moves along the common motion against all bodies
 /// except those of the steps that have to come before, so that every order that keeps Step::after is judged. Steps are
-/// judged on all cores. Bodies have their frames at the centres of their boxes. `required`: clearance, metres; nothing:
-/// the usual one for the size of each body. After a stop, steps are undecided.
+/// judged in `threads` threads, which do not change the verdict. Bodies have their frames at the centres of their
+/// boxes. `required`: clearance, metres; nothing: the usual one for the size of each body. After a stop, steps are
+/// undecided.
 PlanVerdict judgePlan(const Product& product, const Plan& plan, std::optional<double> required,
-                      const WorkWatch& watch = {});
+                      const WorkWatch& watch = {}, std::size_t threads = usableCores());
 
 /// Claims of a plan that contradict its steps or the product, for people. `apart`: number of bodies that leave alone or
 /// in a unit by the plan's statement.

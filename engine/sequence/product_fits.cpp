@@ -76,6 +76,14 @@ const Fit* ProductFits::clashOf(std::size_t body, std::size_t other) const {
   return found == clashes.end() ? nullptr : &*found;
 }
 
+const Fit* ProductFits::cutOf(std::size_t body, std::size_t other) const {
+  const std::vector<Fit>& fits = moving_[body].fits;
+  const auto found = std::find_if(fits.begin(), fits.end(), [&](const Fit& fit) {
+    return fit.obstacle == other && fit.hollow && fit.kind != ContactKind::Thread;
+  });
+  return found == fits.end() ? nullptr : &*found;
+}
+
 const FitThread* ProductFits::threadOf(std::size_t body, std::size_t other) const {
   for (const Fit& fit : fitsOf(body)) {
     if (fit.obstacle == other && fit.thread) return &*fit.thread;

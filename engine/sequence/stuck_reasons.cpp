@@ -56,6 +56,7 @@ Message StuckReasons::withoutAdvice(std::size_t body, const std::vector<std::siz
     return GLISSADE_TEXT("it is between parts that are pressed together: press one of them out");
   }
   if (Message turns = ofTurns(unit); !turns.empty()) return turns;
+  if (Message cuts = ofCuts(unit, blocking); !cuts.empty()) return cuts;
   return GLISSADE_TEXT("no motion was found, alone or with others");
 }
 
@@ -132,6 +133,22 @@ Message StuckReasons::ofAcceptedClash(std::size_t body, const Fit& clash) const 
   return {GLISSADE_TEXT("the clash of it and '%1' (%2) is accepted, and neither can be cut and stay in one piece: mend "
                         "the parts"),
           {other, depth}};
+}
+
+/// Names the body that could be cut instead of the one that is; empty if no body is cut for the unit.
+Message StuckReasons::ofCuts(const BodyGroup& unit, const std::set<std::size_t>& blocking) const {
+  if (question_.fits == nullptr) return {};
+  for (const std::size_t body : unit) {
+    for (const std::size_t other : blocking) {
+      const Fit* fit = question_.fits->cutOf(body, other);
+      if (fit == nullptr) continue;
+      return {
+          GLISSADE_TEXT("no motion was found: '%1' is cut, because its clash with '%2' (%3) is accepted; if '%2' is "
+                        "the one to cut, name it (--cut \"%2\")"),
+          {name(fit->yields ? other : body), name(fit->yields ? body : other), Depth{fit->overlap}}};
+    }
+  }
+  return {};
 }
 
 bool StuckReasons::isBlockedBy(const BodyGroup& unit, const BodyGroup& others) const {

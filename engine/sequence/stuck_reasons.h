@@ -38,6 +38,7 @@ class StuckReasons {
   Message ofTurns(const BodyGroup& unit) const;
   Message ofClashes(const BodyGroup& unit) const;
   Message ofAcceptedClash(std::size_t body, const Fit& clash) const;
+  Message ofCuts(const BodyGroup& unit, const std::set<std::size_t>& blocking) const;
   bool isCaged(const BodyGroup& unit, const std::set<std::size_t>& blocking) const;
   bool isBlockedBy(const BodyGroup& unit, const BodyGroup& others) const;
   bool holdEachOther(std::size_t body, std::size_t other) const;

@@ -5256,7 +5256,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>&apos;%1&apos; is the one that is cut (--cut &quot;%2&quot;)</source>
-        <translation>« %1 » est celui qui est découpé (--cut &quot;%2&quot;)</translation>
+        <translation>«&#xa0;%1&#xa0;» est celui qui est découpé (--cut &quot;%2&quot;)</translation>
     </message>
     <message>
         <source>the hook of &apos;%1&apos; in &apos;%2&apos; bends by %3</source>
@@ -11804,7 +11804,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>nothing leaves: every body stays, or a joint holds it to one that stays. See &apos;glissade-cli joints&apos;, and dissolve a joint in a scenario.</source>
-        <translation>rien ne part : chaque corps reste, ou un assemblage le lie à un corps qui reste. Voyez « glissade-cli joints », et dissolvez un assemblage dans un scénario.</translation>
+        <translation>rien ne part&#xa0;: chaque corps reste, ou un assemblage le lie à un corps qui reste. Voyez «&#xa0;glissade-cli joints&#xa0;», et dissolvez un assemblage dans un scénario.</translation>
     </message>
     <message>
         <source>Name the one that is cut (--cut &quot;%1&quot; or --cut &quot;%2&quot;), or mend the parts.</source>
@@ -11816,11 +11816,15 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>the clash of it and &apos;%1&apos; (%2) is accepted, and which of the two is cut is not clear: name the one that is cut (--cut &quot;%3&quot; or --cut &quot;%1&quot;)</source>
-        <translation>sa collision avec « %1 » (%2) est acceptée, et il n&apos;est pas clair laquelle des deux pièces est découpée : nommez celle qui est découpée (--cut &quot;%3&quot; ou --cut &quot;%1&quot;)</translation>
+        <translation>sa collision avec «&#xa0;%1&#xa0;» (%2) est acceptée, et il n&apos;est pas clair laquelle des deux pièces est découpée&#xa0;: nommez celle qui est découpée (--cut &quot;%3&quot; ou --cut &quot;%1&quot;)</translation>
     </message>
     <message>
         <source>the clash of it and &apos;%1&apos; (%2) is accepted, and neither can be cut and stay in one piece: mend the parts</source>
-        <translation>sa collision avec « %1 » (%2) est acceptée, et aucune des deux ne peut être découpée et rester d&apos;un seul tenant : corrigez les pièces</translation>
+        <translation>sa collision avec «&#xa0;%1&#xa0;» (%2) est acceptée, et aucune des deux ne peut être découpée et rester d&apos;un seul tenant&#xa0;: corrigez les pièces</translation>
+    </message>
+    <message>
+        <source>no motion was found: &apos;%1&apos; is cut, because its clash with &apos;%2&apos; (%3) is accepted; if &apos;%2&apos; is the one to cut, name it (--cut &quot;%2&quot;)</source>
+        <translation>aucun mouvement n&apos;a été trouvé&#xa0;: «&#xa0;%1&#xa0;» est découpée, car sa collision avec «&#xa0;%2&#xa0;» (%3) est acceptée&#xa0;; si c&apos;est «&#xa0;%2&#xa0;» qu&apos;il faut découper, nommez-la (--cut &quot;%2&quot;)</translation>
     </message>
 </context>
 <context>

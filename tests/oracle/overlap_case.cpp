@@ -140,6 +140,7 @@ class CaseMaker {
     const double accepted = made.accepted;
     made = caseOf(hasLip ? "shaft between a nib and a lip" : "shaft beside a nib", rod(radius, 0.0, length), block);
     made.accepted = accepted;
+    made.cutsBlock = true;  // the shaft encloses the end of the nib: without a name the shaft gets a notch
     (hasLip ? made.blocked : made.free).push_back(kUp);
     return made;
   }

@@ -17,9 +17,10 @@ struct OverlapCase {
 
   std::string name;  ///< description for people
   std::shared_ptr<const Solids> solids;
-  double accepted = 0.0;  ///< clashes up to this depth are accepted; 0: no clash is accepted
-  std::vector<Direction>
-      blocked{};                  ///< unit vectors: the object meets the block at another place, or the wall of its cut
+  double accepted = 0.0;   ///< clashes up to this depth are accepted; 0: no clash is accepted
+  bool cutsBlock = false;  ///< a person names the block as the body that is cut
+  /// Unit vectors: the object meets the block at another place, or the wall of its cut.
+  std::vector<Direction> blocked{};
   std::vector<Direction> free{};  ///< unit vectors
 
   bool leaves() const { return !free.empty(); }

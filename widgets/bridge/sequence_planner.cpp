@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <thread>
 
+#include "engine/base/thread_team.h"
 #include "engine/scenario/judged_product.h"
 #include "engine/sequence/sequence_run.h"
 
@@ -86,7 +86,7 @@ class AnnouncingHost final : public SequenceHost {
   GrownPlan grown_;
 };
 
-std::size_t helpers() { return std::max(1U, std::thread::hardware_concurrency()) - 1; }
+std::size_t helpers() { return usableCores() - 1; }
 
 Result<GrownPlan> planOf(const SequenceJob& job, ProductFinder& finder, const WorkWatch& watch, const StopSource& stop,
                          const AnnouncingHost::Announce& announce) {

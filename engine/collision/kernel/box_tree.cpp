@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <thread>
 
 #include "engine/base/thread_team.h"
 
@@ -157,7 +156,7 @@ void TreeBuilder::buildInThreads(const Part& whole) {
   const std::vector<Part> parts = divided(whole);
   setBoxes(top, parts);
   std::vector<BoxTreeNodes> below(parts.size());
-  ThreadTeam team(std::max(1U, std::thread::hardware_concurrency()) - 1U);
+  ThreadTeam team(usableCores() - 1);
   team.run(parts.size(), [&](std::size_t lane) {
     if (parts[lane].size() <= mostInALeaf_) return;
     TreeBuilder builder(triangles_, centre_, mostInALeaf_);
