@@ -28,13 +28,13 @@ bool haveSameBodies(AssembledProduct one, const AssembledProduct& other) {
 }  // namespace
 
 Result<FitTablePtr> ProductFinder::fits(const AssembledProduct& product, ThreadTeam& team, const WorkWatch& watch,
-                                        const ContactLimits& limits) {
+                                        const std::optional<ContactLimits>& limits) {
   const std::lock_guard lock(fitsMutex_);
   const auto known = std::find_if(fits_.begin(), fits_.end(), [&](const KnownFits& each) {
     return each.limits == limits && isSameProduct(each.product, product);
   });
   if (known != fits_.end()) return known->table;
-  auto table = FitTable::find(product, team, watch, limits);
+  auto table = limits ? FitTable::find(product, team, watch, *limits) : FitTable::whole(product);
   if (!table) return table.error();
   remember({product, limits, std::make_shared<const FitTable>(std::move(*table))}, fits_);
   return fits_.front().table;
@@ -66,8 +66,7 @@ Result<ProductFindings> ProductFinder::findings(const AssembledProduct& product,
   }
   AssembledProduct bent = product;
   bent.snaps = bendsOf(countingJoints(counting, demands.jointUse), product);
-  const auto table = product.fits.on ? fits(bent, team, watch)
-                                     : Result<FitTablePtr>(std::make_shared<const FitTable>(FitTable::whole(bent)));
+  const auto table = fits(bent, team, watch, product.fits.on ? std::make_optional<ContactLimits>() : std::nullopt);
   if (!table) return table.error();
   return ProductFindings{std::move(counting), ProductFits(bent, *table)};
 }

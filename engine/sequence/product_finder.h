@@ -3,6 +3,7 @@
 #include <deque>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,9 +26,10 @@ struct ProductFindings {
 /// remembered, so that the panels and the sequence share them. Thread-safe: a second asker waits for the answer.
 class ProductFinder {
  public:
-  /// The table of fits. `watch` and errors: see FitTable::find().
+  /// The table of fits, whether the product's fits are on or not. `limits`: nothing for FitTable::whole(). `watch` and
+  /// errors: see FitTable::find().
   Result<FitTablePtr> fits(const AssembledProduct& product, ThreadTeam& team, const WorkWatch& watch,
-                           const ContactLimits& limits = {});
+                           const std::optional<ContactLimits>& limits = ContactLimits());
   /// The joints that are found without a person, by findJoints(); null after a stop.
   JointsPtr joints(const AssembledProduct& product, const std::vector<std::string>& classes, const StopToken& stop);
   /// Errors: those of fits() and applied(). After a stop the error is Interrupted.
@@ -37,7 +39,7 @@ class ProductFinder {
  private:
   struct KnownFits {
     AssembledProduct product;
-    ContactLimits limits;
+    std::optional<ContactLimits> limits;
     FitTablePtr table;
   };
   struct KnownJoints {
