@@ -77,7 +77,7 @@ const Fit* ProductFits::clashOf(std::size_t body, std::size_t other) const {
 }
 
 const Fit* ProductFits::cutOf(std::size_t body, std::size_t other) const {
-  const std::vector<Fit>& fits = moving_[body].fits;
+  const std::vector<Fit>& fits = fitsOf(body);
   const auto found = std::find_if(fits.begin(), fits.end(), [&](const Fit& fit) {
     return fit.obstacle == other && fit.hollow && fit.kind != ContactKind::Thread;
   });
