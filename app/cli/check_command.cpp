@@ -88,8 +88,7 @@ int checkPath(const CheckOptions& options, const Interrupt& interrupt, const Sto
   }
   const auto path = check::readPath(options.path);
   if (!path) return reportError(path.error(), options.console);
-  auto question =
-      check::readQuestion(options.scenario, {options.fits.on, options.fits.acceptedClash, options.fits.cut}, stop);
+  auto question = check::readQuestion(options.scenario, options.fits, stop);
   if (!question) return reportStopped(question.error(), interrupt, options.console);
   reportWarnings(question->product.warnings, options.console);
   if (const Outcome found = addForbiddenPlaces(options, stop, *question); !found) {
@@ -117,9 +116,8 @@ int checkPath(const CheckOptions& options, const Interrupt& interrupt, const Sto
 int checkPlan(const CheckOptions& options, const Interrupt& interrupt, const StopToken& stop) {
   const auto plan = check::readPlan(options.path);
   if (!plan) return reportError(plan.error(), options.console);
-  auto product = check::readProduct(options.scenario, plan->deflection,
-                                    {options.fits.on, options.fits.acceptedClash, options.fits.cut}, stop,
-                                    {options.open, plan->bodies});
+  auto product =
+      check::readProduct(options.scenario, plan->deflection, options.fits, stop, {options.open, plan->bodies});
   if (!product) return reportStopped(product.error(), interrupt, options.console);
   if (const Outcome left = check::leaveOut(options.without, *product); !left) {
     return reportError(left.error(), options.console);

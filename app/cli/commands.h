@@ -12,9 +12,9 @@
 #include "app/cli/report.h"
 #include "engine/access/hand_measures.h"
 #include "engine/base/thread_team.h"
-#include "engine/files/fit_options.h"
 #include "engine/files/part_files.h"
 #include "engine/fits/contact_report.h"
+#include "engine/model/fit_options.h"
 #include "engine/planning/smoothing/shortcuts.h"
 #include "engine/study/study_plan.h"
 

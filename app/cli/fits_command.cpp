@@ -16,6 +16,7 @@
 #include "engine/fits/fit_table.h"
 #include "engine/import/missing_shapes_json.h"
 #include "engine/import/step_import.h"
+#include "engine/sequence/product_finder.h"
 
 namespace glissade::cli {
 namespace {
@@ -243,19 +244,20 @@ int runFits(const FitsOptions& options) {
   if (const Outcome left = leaveOut(options.without, *loaded); !left) return reportError(left.error(), options.console);
   reportWarnings(loaded->warnings, options.console);
   AssembledProduct product = loaded->product;
-  product.fits = withOptions(product.fits, options.fits);
+  options.fits.applyTo(product.fits);
   product.bodies = aboutTheirMiddles(std::move(product.bodies));
   ThreadTeam team(options.lanes - 1);
-  const auto table = FitTable::find(product, team, interrupt.token(), options.limits);
-  if (!table) {
-    Diagnostic why = table.error();
+  const auto found = ProductFinder().fits(product, team, interrupt.token(), options.limits);
+  if (!found) {
+    Diagnostic why = found.error();
     why.file = options.file;
     return reportError(why, options.console);
   }
-  const std::vector<PairFit>& rows = table->pairs();
+  const FitTable& table = **found;
+  const std::vector<PairFit>& rows = table.pairs();
   // A clash that is accepted and refused all the same needs words.
   const bool accepts = product.fits.acceptedClash > 0.0;
-  reportWarnings(accepts ? table->warnings() : warningsOfPlainOverlaps(rows), options.console);
+  reportWarnings(accepts ? table.warnings() : warningsOfPlainOverlaps(rows), options.console);
   reportWarnings(warningsOf(findAlternatives(product.bodies, interrupt.token()), product.bodies), options.console);
   const Volumes volumes = options.csv ? Volumes(rows.size()) : commonVolumesOf(rows, options, interrupt.token());
   if (options.console.json) {

@@ -11,7 +11,7 @@
 #include "engine/files/joints_json.h"
 #include "engine/files/product_file.h"
 #include "engine/fits/joint_edits.h"
-#include "engine/fits/joint_finder.h"
+#include "engine/sequence/product_finder.h"
 
 namespace glissade::cli {
 namespace {
@@ -123,9 +123,9 @@ void printJoints(const Joints& joints, const AssembledProduct& product) {
 
 /// The joints that were found, changed as the scenario says.
 Result<Joints> jointsOf(const ProductFile& loaded, bool confirmsSuggested, const StopToken& stop) {
-  Joints found = findJoints(loaded.product, stop, loaded.classes);
-  if (stop.stopRequested()) return Diagnostic{ErrorKind::Interrupted, "", "", GLISSADE_TEXT("was interrupted"), {}};
-  auto joints = applied(std::move(found), loaded.joints, loaded.product);
+  const JointsPtr found = ProductFinder().joints(loaded.product, loaded.classes, stop);
+  if (!found) return Diagnostic{ErrorKind::Interrupted, "", "", GLISSADE_TEXT("was interrupted"), {}};
+  auto joints = applied(*found, loaded.joints, loaded.product);
   if (!joints || !confirmsSuggested) return joints;
   const auto confirmations = confirmationsOf(*joints, loaded.product);
   return applied(std::move(*joints), confirmations, loaded.product);

@@ -80,7 +80,7 @@ int runNew(const NewOptions& options) {
   auto scenario = scenarioOfParts(parts, &read);
   if (!scenario) return reportError(scenario.error(), options.console);
   if (const Outcome left = leaveOut(options, *scenario); !left) return reportError(left.error(), options.console);
-  scenario->fits = withOptions(scenario->fits, options.fits);
+  options.fits.applyTo(scenario->fits);
   const auto loaded = loadGeometry(*scenario, ".", "", read);
   if (!loaded) return reportError(loaded.error(), options.console);
   reportWarnings(loaded->warnings, options.console);

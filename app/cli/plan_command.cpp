@@ -193,7 +193,7 @@ Outcome knowsOutput(const PlanOptions& options) {
 int runPlan(const PlanOptions& options) {
   if (const Outcome known = knowsOutput(options); !known) return reportError(known.error(), options.console);
   const Interrupt interrupt;
-  auto loaded = loadScenario(options.scenario, options.fits, interrupt.token());
+  auto loaded = loadScenario(options.scenario, interrupt.token(), options.fits);
   if (!loaded) return reportError(loaded.error(), options.console);
   reportWarnings(loaded->warnings, options.console);
   reportWarnings(loaded->fits.warnings, options.console);

@@ -18,7 +18,9 @@
 #include "engine/fits/joint_edits.h"
 #include "engine/fits/joint_finder.h"
 #include "engine/import/missing_shapes_json.h"
+
 #include "engine/sequence/fasteners.h"
+#include "engine/sequence/product_finder.h"
 #include "engine/sequence/sequence_run.h"
 #include "engine/sequence/step_motion.h"
 #include "engine/sequence/subassembly_lines.h"
@@ -338,7 +340,7 @@ void PlanPrinter::printNotes(const AssemblyStep& step, const std::string& before
   for (const std::string& id : step.falling) {
     printIndented(before, {GLISSADE_TEXT("to be held: %1"), {host_.nameOf(id)}});
   }
-  for (const StepAllowance& allowance : step.allowances) {
+  for (const Allowance& allowance : step.allowances) {
     printIndented(before, {GLISSADE_TEXT("allowance: %1"), {allowance.text}});
   }
 }
@@ -373,7 +375,7 @@ std::size_t screwHoles(const std::vector<AssemblyStep>& steps, const std::vector
   for (const AssemblyStep& step : steps) {
     holes += static_cast<std::size_t>(
         std::count_if(step.allowances.begin(), step.allowances.end(),
-                      [](const StepAllowance& each) { return each.hollow && each.kind == ContactKind::Thread; }));
+                      [](const Allowance& each) { return each.hollow && each.kind == ContactKind::Thread; }));
   }
   for (const SubassemblyLine& line : lines) holes += screwHoles(line.steps, line.lines);
   return holes;
@@ -438,14 +440,6 @@ Outcome checkOptions(const SequenceOptions& options) {
   return Done{};
 }
 
-/// The joints that the demands use; none after a stop, because a person's word may be about a joint that was not found.
-Result<Joints> jointsOf(const ProductFile& loaded, const SequenceDemands& demands, const StopToken& stop) {
-  if (demands.jointUse == JointUse::Off) return Joints();
-  const Joints found = findJoints(loaded.product, stop, loaded.classes);
-  if (stop.stopRequested()) return Joints();
-  return applied(found, demands.joints, loaded.product);
-}
-
 /// The plan to write if the time limit ends the search of fits. It can be resumed.
 AssemblyPlan planWithout(const AssembledProduct& product, const SequenceRequest& request) {
   AssemblyPlan plan = request.resumed != nullptr ? *request.resumed : AssemblyPlan{};
@@ -504,7 +498,7 @@ int runSequence(const SequenceOptions& options) {
   if (!loaded) return reportError(loaded.error(), options.console);
   if (const Outcome left = leaveOut(options.without, *loaded); !left) return reportError(left.error(), options.console);
   AssembledProduct& product = loaded->product;
-  product.fits = withOptions(product.fits, options.fits);
+  options.fits.applyTo(product.fits);
   if (earlier) {
     std::vector<std::string> ids;
     for (const RigidBody& body : product.bodies) ids.push_back(body.id);
@@ -524,14 +518,12 @@ int runSequence(const SequenceOptions& options) {
   }
   ThreadTeam team(options.lanes - 1);
   const std::uint64_t seed = earlier ? earlier->seed : options.seed.value_or(1);
-  const auto joints = jointsOf(*loaded, *demands, stop);
-  if (!joints) return reportError(joints.error(), options.console);
-  product.snaps = bendsOf(countingJoints(*joints, demands->jointUse), product);
   const ProgressNotes notes(begin, options.console);
   FitProgress progress(notes);
-  const auto fits = ProductFits::find(product, team, {stop, [&](double share) { progress.show(share); }});
-  const bool outOfTime = !fits && fits.error().kind == ErrorKind::Interrupted && !interrupt.requested();
-  if (!fits && !outOfTime) return reportError(fits.error(), options.console);
+  const WorkWatch watch(stop, [&](double share) { progress.show(share); });
+  const auto found = ProductFinder().findings(product, loaded->classes, *demands, team, watch);
+  const bool outOfTime = !found && found.error().kind == ErrorKind::Interrupted && !interrupt.requested();
+  if (!found && !outOfTime) return reportError(found.error(), options.console);
   reportWarnings(loaded->warnings, options.console);
   if (loaded->forbidsPlaces) reportWarnings({placesHoldForPathsOnly(options.file)}, options.console);
   ProgressHost host(stop, team, product, notes);
@@ -539,24 +531,24 @@ int runSequence(const SequenceOptions& options) {
   const std::string usual = options.strategy.empty() ? kUsualStrategy : options.strategy;
   const std::string strategy = earlier ? earlier->strategy : usual;
   SequenceRequest request{*staying, strategy, seed, *demands, earlier ? &*earlier : nullptr};
-  request.joints = &*joints;
   if (outOfTime) {
     reportWarnings({{ErrorKind::LimitReached, options.file, "--time-limit",
                      GLISSADE_TEXT("was reached while fits were searched"), GLISSADE_TEXT("Give more time.")}},
                    options.console);
   } else {
-    reportWarnings(fits->warnings(), options.console);
+    request.joints = &found->joints;
+    reportWarnings(found->fits.warnings(), options.console);
     reportWarnings(warningsOf(findAlternatives(product.bodies, stop), product.bodies), options.console);
     if (!options.out.empty()) host.keepIn(options, deflection);
   }
-  auto planned = outOfTime ? planWithout(product, request) : planSequence(product, *fits, request, host);
+  auto planned = outOfTime ? planWithout(product, request) : planSequence(product, found->fits, request, host);
   if (!planned) return reportError(ofOptions(planned.error(), options), options.console);
   AssemblyPlan& plan = *planned;
   if (plan.end == PlanEnd::Interrupted && !interrupt.requested()) plan.end = PlanEnd::TimeLimit;
   plan.deflection = deflection;
   std::size_t plainOverlaps = 0;
-  if (fits) {
-    const std::vector<Contact>& contacts = fits->contacts();
+  if (found) {
+    const std::vector<Contact>& contacts = found->fits.contacts();
     plainOverlaps = static_cast<std::size_t>(
         std::count_if(contacts.begin(), contacts.end(), [](const Contact& each) { return each.isPlainOverlap; }));
   }

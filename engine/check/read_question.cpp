@@ -137,15 +137,6 @@ Outcome takeParameters(const StatedScenario& scenario, const std::string& file, 
   return Done{};
 }
 
-void choose(const FitChoice& choice, FitWords& fits) {
-  if (choice.acceptedClash) {
-    fits.acceptedClash = *choice.acceptedClash;
-    fits.on = true;
-  }
-  if (choice.on) fits.on = *choice.on;
-  fits.cut.insert(fits.cut.end(), choice.cut.begin(), choice.cut.end());
-}
-
 /// Moves the frame of each body to the centre of its box; meshes stay shared.
 void centre(std::vector<Body>& bodies) {
   std::map<MeshPtr, std::pair<Vector3, MeshPtr>> known;
@@ -325,14 +316,14 @@ Product productOf(const ReadScenario& read, const std::vector<Body>& object, con
 
 }  // namespace
 
-Result<Question> readQuestion(const std::string& file, const FitChoice& fits, const StopToken& stop) {
+Result<Question> readQuestion(const std::string& file, const FitOptions& fits, const StopToken& stop) {
   const auto read = readScenario(file, stop);
   if (!read) return read.error();
   const StatedScenario& scenario = read->stated;
   Question question;
   question.product = productOf(*read, {read->object}, file);
   question.product.fits = scenario.fits;
-  choose(fits, question.product.fits);
+  fits.applyTo(question.product.fits);
   if (scenario.object.size() > 1) {
     question.product.bodies.back().name += " + " + std::to_string(read->objectBodies.size() - 1);
     question.product.fits = wordsOfGroup(question.product.fits, read->objectBodies, read->object.id);
@@ -347,26 +338,26 @@ Result<Question> readQuestion(const std::string& file, const FitChoice& fits, co
 
 namespace {
 
-Result<Product> productOfScenario(const std::string& file, const FitChoice& fits, const StopToken& stop) {
+Result<Product> productOfScenario(const std::string& file, const FitOptions& fits, const StopToken& stop) {
   const auto read = readScenario(file, stop);
   if (!read) return read.error();
   Product product = productOf(*read, read->objectBodies, file);
   product.fits = read->stated.fits;
-  choose(fits, product.fits);
+  fits.applyTo(product.fits);
   if (const Outcome known = checkPairs(product, file); !known) return known.error();
   return product;
 }
 
 }  // namespace
 
-Result<Product> readProduct(const std::string& file, double deflection, const FitChoice& fits, const StopToken& stop,
+Result<Product> readProduct(const std::string& file, double deflection, const FitOptions& fits, const StopToken& stop,
                             const PartChoice& choice) {
   const std::string path = splitPart(file).first;
   const bool isPart = isCadFile(path) || isUrdf(path);
   auto read = isPart ? productOfParts(file, deflection, choice, stop) : productOfScenario(file, fits, stop);
   if (!read) return read.error();
   Product product = std::move(*read);
-  if (isPart) choose(fits, product.fits);
+  if (isPart) fits.applyTo(product.fits);
   if (product.bodies.size() < 2) {
     return Diagnostic{ErrorKind::MalformedInput, file, "",
                       GLISSADE_TEXT("holds one body: there is nothing to take apart"),

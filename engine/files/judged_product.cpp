@@ -48,7 +48,7 @@ check::StatedProof judgedProof(const StepProof& proof) {
 
 check::Step judgedStep(const AssemblyStep& step) {
   check::Step judged{step.bodies(), judgedPoints(step.path), step.after, {}, {}, step.certified};
-  for (const StepAllowance& each : step.allowances) {
+  for (const Allowance& each : step.allowances) {
     check::StatedAllowance allowance{each.moving, each.body, each.allowance, each.yields};
     allowance.hollow = each.hollow;
     allowance.core = each.core;
@@ -168,19 +168,6 @@ check::Question judgedQuestion(const LoadedScenario& scenario) {
   question.requiredClearance = scenario.parameters[ParameterId::RequiredClearance];
   question.contactGap = scenario.parameters[ParameterId::ContactGap];
   return question;
-}
-
-check::Path judgedPath(const std::vector<PathPoint>& points, const LoadedScenario& scenario) {
-  check::Path path{judgedPoints(points), std::vector<check::StatedAllowance>()};
-  for (const Fit& fit : scenario.fits.allowed) {
-    check::StatedAllowance allowance{scenario.object.id, scenario.obstacles[fit.obstacle].id, fit.allowance};
-    allowance.yields = fit.yields;
-    allowance.hollow = fit.hollow;
-    if (fit.core) allowance.core = statedThread(fit.thread->rule);
-    if (fit.thread) allowance.pitch = fit.thread->rule.pitch;
-    path.allowances->push_back(std::move(allowance));
-  }
-  return path;
 }
 
 check::PlanVerdict judgePlan(const AssemblyPlan& plan, const AssembledProduct& product, std::optional<double> required,

@@ -17,8 +17,6 @@ check::Product judgedProduct(const AssembledProduct& product);
 check::Plan judgedPlan(const AssemblyPlan& plan);
 /// The problem without the person's forbidden places, which are in the scenario's file.
 check::Question judgedQuestion(const LoadedScenario& scenario);
-/// The path, which states the fits of the scenario.
-check::Path judgedPath(const std::vector<PathPoint>& points, const LoadedScenario& scenario);
 
 /// `required`: clearance, metres; nothing: the default for the size of each body. `said`: a person's statements about
 /// the product, so that other statements of the plan are conditions; null: none.

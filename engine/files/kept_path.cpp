@@ -38,9 +38,7 @@ KeptPath keptPath(const std::string& name, const Path& path, const PathProvenanc
   if (path.certificate.nearest.body >= 0) kept.clearance = path.certificate.minClearance;
   kept.provedClearance = path.certificate.provedClearance;
   for (const Fit& fit : scenario.fits.allowed) {
-    if (fit.allowance > 0.0) {
-      kept.allowances.push_back({scenario.obstacles[fit.obstacle].id, fit.allowance, fit.yields, fit.hollow});
-    }
+    if (fit.allowance > 0.0) kept.allowances.push_back(static_cast<const Allowance&>(fit));
   }
   kept.problemSha256 = problemSha256(scenario.scenario);
   kept.points = path.points;

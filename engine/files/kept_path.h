@@ -4,21 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "engine/fits/allowance.h"
 #include "engine/planning/path.h"
 
 namespace glissade {
 
 struct LoadedScenario;
-
-/// Thickness that was removed from the object against one obstacle, or from the obstacle against the object.
-struct KeptAllowance {
-  std::string body;     ///< id of the obstacle
-  double metres = 0;    ///< thickness, > 0
-  bool yields = false;  ///< the obstacle was taken thinner
-  bool hollow = false;  ///< the overlapping volume was removed to this depth: an accepted clash
-
-  friend bool operator==(const KeptAllowance&, const KeptAllowance&) = default;
-};
 
 /// A path that is kept in a scenario, with what was proved about it when it was kept. The certificate is not kept: the
 /// path is proved again when the scenario is opened (proveAgain()).
@@ -27,13 +18,13 @@ struct KeptPath {
   bool pinned = false;
   std::string object;  ///< id of the object
   PathProvenance provenance;
-  bool smoothed = false;           ///< shortened after it was planned
-  double requiredClearance = 0.0;  ///< required clearance, metres, > 0
-  double clearance = -1.0;         ///< smallest distance to any body, metres; below 0: no body was near
-  double provedClearance = 0.0;    ///< proved clearance, metres
-  std::vector<KeptAllowance> allowances;
-  std::string problemSha256;      ///< problemSha256() of the scenario for which it was proved
-  std::vector<PathPoint> points;  ///< at least one
+  bool smoothed = false;              ///< shortened after it was planned
+  double requiredClearance = 0.0;     ///< required clearance, metres, > 0
+  double clearance = -1.0;            ///< smallest distance to any body, metres; below 0: no body was near
+  double provedClearance = 0.0;       ///< proved clearance, metres
+  std::vector<Allowance> allowances;  ///< files have bodies, amounts, `yields` and `hollow` of them only
+  std::string problemSha256;          ///< problemSha256() of the scenario for which it was proved
+  std::vector<PathPoint> points;      ///< at least one
 };
 /// Shared by the document, the undo stack and files; never changed.
 using KeptPathPtr = std::shared_ptr<const KeptPath>;

@@ -22,9 +22,10 @@ PathPoint readPoint(const JsonCursor& at) {
   return point;
 }
 
-KeptAllowance readKeptAllowance(const JsonCursor& at) {
+Allowance readKeptAllowance(const JsonCursor& at) {
   at.allowOnly({"body", "allowance", "yields", "hollow"});
-  KeptAllowance allowance{at.at("body").nonEmptyText(), at.at("allowance").length()};
+  Allowance allowance{at.at("body").nonEmptyText()};
+  allowance.allowance = at.at("allowance").length();
   if (const auto yields = at.find("yields")) allowance.yields = yields->boolean();
   if (const auto hollow = at.find("hollow")) allowance.hollow = hollow->boolean();
   return allowance;
@@ -80,8 +81,8 @@ Json toJson(const KeptPath& path) {
   json["required_clearance"] = path.requiredClearance;
   if (path.clearance >= 0.0) json["clearance"] = path.clearance;
   json["proved_clearance"] = path.provedClearance;
-  for (const KeptAllowance& given : path.allowances) {
-    Json& allowance = json["allowances"].emplace_back(Json{{"body", given.body}, {"allowance", given.metres}});
+  for (const Allowance& given : path.allowances) {
+    Json& allowance = json["allowances"].emplace_back(Json{{"body", given.body}, {"allowance", given.allowance}});
     if (given.yields) allowance["yields"] = true;
     if (given.hollow) allowance["hollow"] = true;
   }

@@ -50,7 +50,7 @@ Json toJson(const evidence::Evidence& evidence) {
   return json;
 }
 
-Json toJson(const StepAllowance& allowance) {
+Json toJson(const Allowance& allowance) {
   Json json{{"body", allowance.body},
             {"kind", kContactKindNames.of(allowance.kind)},
             {"overlap_m", allowance.overlap},
@@ -101,7 +101,7 @@ Json toJson(const AssemblyStep& step) {
   if (!step.falling.empty()) json["falling"] = step.falling;
   if (step.fastener != FastenerKind::None) json["fastener"] = kFastenerNames.of(step.fastener);
   if (step.tool.kind != ToolKind::None) json["tool"] = toJson(step.tool);
-  for (const StepAllowance& allowance : step.allowances) json["allowances"].push_back(toJson(allowance));
+  for (const Allowance& allowance : step.allowances) json["allowances"].push_back(toJson(allowance));
   json["path"] = motionJson(step.path);
   for (const StepViolation& violation : step.violates) {
     json["violates"].push_back({{"rule", kRuleNames.of(violation.rule)}, {"bodies", violation.bodies}});
@@ -328,12 +328,11 @@ class PlanReader {
     return evidence;
   }
 
-  StepAllowance readAllowance(const JsonCursor& at) const {
+  Allowance readAllowance(const JsonCursor& at) const {
     at.allowOnly({"body", "kind", "overlap_m", "allowance_m", "text", "moving", "yields", "hollow", "core", "evidence",
                   "pitch_m", "turns"});
-    StepAllowance allowance{readId(at.at("body")), at.at("kind").named(kContactKindNames),
-                            readLength(at.at("overlap_m")), readLength(at.at("allowance_m")),
-                            Message(at.at("text").text())};
+    Allowance allowance{readId(at.at("body")), at.at("kind").named(kContactKindNames), readLength(at.at("overlap_m")),
+                        readLength(at.at("allowance_m")), Message(at.at("text").text())};
     if (const auto moving = at.find("moving")) allowance.moving = readId(*moving);
     if (const auto yields = at.find("yields")) allowance.yields = yields->boolean();
     if (const auto hollow = at.find("hollow")) allowance.hollow = hollow->boolean();

@@ -142,8 +142,8 @@ nlohmann::ordered_json allowancesJson(const LoadedScenario& scenario, const std:
   const std::vector<Message> words = allowancesInWords(scenario, path);
   for (std::size_t i = 0; i < words.size(); ++i) {
     const Fit& fit = scenario.fits.allowed[i];
-    list.push_back({{"object", scenario.object.id},
-                    {"body", scenario.obstacles[fit.obstacle].id},
+    list.push_back({{"object", fit.moving},
+                    {"body", fit.body},
                     {"kind", kContactKindNames.of(fit.kind)},
                     {"allowance_m", fit.allowance},
                     {"overlap_m", fit.evidence.overlap},
@@ -153,10 +153,10 @@ nlohmann::ordered_json allowancesJson(const LoadedScenario& scenario, const std:
                     {"text", toString(words[i])}});
     if (fit.yields) list.back()["yields"] = true;
     if (fit.hollow) list.back()["hollow"] = true;
-    if (fit.core) list.back()["core"] = threadJson(statedThread(fit.thread->rule));
+    if (fit.core) list.back()["core"] = threadJson(*fit.core);
     if (fit.evidence.byPerson > 0.0) list.back()["by_person_m"] = fit.evidence.byPerson;
-    if (!fit.thread) continue;
-    list.back()["pitch_m"] = fit.thread->rule.pitch;
+    if (fit.pitch == 0.0) continue;
+    list.back()["pitch_m"] = fit.pitch;
     if (!path.empty()) list.back()["turns"] = turnsOn(path, scenario, fit);
   }
   return list;

@@ -4,6 +4,7 @@
 
 #include "engine/base/stop_token.h"
 #include "engine/files/scenario.h"
+#include "engine/model/fit_options.h"
 
 namespace glissade {
 
@@ -18,7 +19,8 @@ std::string writeScenario(const Scenario& scenario);
 /// Reads a scenario file or an OMPL.app .cfg (by its ending), imports all geometry, checks it, and builds the problem.
 /// Start and goal in collision are not errors here; a session reports them at its start. Reading a STEP file may take
 /// long. Error after a stop: Interrupted.
-Result<LoadedScenario> loadScenario(const std::string& file, const StopToken& stop = {});
+/// Fits that the options turn off are not searched for.
+Result<LoadedScenario> loadScenario(const std::string& file, const StopToken& stop = {}, const FitOptions& fits = {});
 
 /// Time at which the fits of a scenario are found, if it has them on.
 enum class FindFits {

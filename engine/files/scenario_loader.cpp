@@ -8,7 +8,6 @@
 #include "engine/base/result.h"
 #include "engine/base/utf8.h"
 #include "engine/files/default_colour.h"
-#include "engine/files/fit_options.h"
 #include "engine/files/object_geometry.h"
 #include "engine/files/part_files.h"
 #include "engine/files/scenario.h"
@@ -311,7 +310,7 @@ Result<ScenarioFile> openScenario(const std::string& file, const FitOptions& opt
                                   FindFits fits) {
   auto read = readScenario(file);
   if (!read) return read.error();
-  read->scenario.fits = withOptions(read->scenario.fits, options);
+  options.applyTo(read->scenario.fits);
   auto loaded = loadGeometry(std::move(read->scenario), folderOf(file), file, {}, stop, nullptr, fits);
   if (!loaded) return loaded.error();
   loaded->warnings.insert(loaded->warnings.begin(), read->warnings.begin(), read->warnings.end());
@@ -320,22 +319,8 @@ Result<ScenarioFile> openScenario(const std::string& file, const FitOptions& opt
 
 }  // namespace
 
-FitSettings withOptions(FitSettings settings, const FitOptions& options) {
-  if (options.acceptedClash) {
-    settings.acceptedClash = *options.acceptedClash;
-    settings.on = true;
-  }
-  if (options.on) settings.on = *options.on;
-  settings.cut.insert(settings.cut.end(), options.cut.begin(), options.cut.end());
-  return settings;
-}
-
-Result<LoadedScenario> loadScenario(const std::string& file, const StopToken& stop) {
-  return loadScenario(file, FitOptions{}, stop);
-}
-
-Result<LoadedScenario> loadScenario(const std::string& file, const FitOptions& options, const StopToken& stop) {
-  auto opened = openScenario(file, options, stop, FindFits::Now);
+Result<LoadedScenario> loadScenario(const std::string& file, const StopToken& stop, const FitOptions& fits) {
+  auto opened = openScenario(file, fits, stop, FindFits::Now);
   if (!opened) return opened.error();
   LoadedScenario& loaded = opened->scenario;
   if (const auto left = leftOutWarning(loaded.scenario, file)) loaded.warnings.push_back(*left);

@@ -53,6 +53,8 @@ struct ContactLimits {
   double clashOverlap = 1e-3;         ///< metres
   double clashThickness = 0.2;        ///< share of the local thickness
   std::optional<std::size_t> only{};  ///< only pairs with this body
+
+  friend bool operator==(const ContactLimits&, const ContactLimits&) = default;
 };
 
 /// Every pair of bodies that touch, overlap or are within the requested clearance, from their meshes. Stated or fitted

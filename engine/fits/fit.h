@@ -5,9 +5,11 @@
 #include <string>
 
 #include "engine/base/message.h"
+
 #include "engine/collision/thread_rule.h"
 #include "engine/evidence/cut_shape.h"
 #include "engine/evidence/evidence.h"
+#include "engine/fits/allowance.h"
 #include "engine/fits/contact_report.h"
 
 namespace glissade {
@@ -18,23 +20,17 @@ struct FitThread {
   std::string size;  ///< size that the pitch was chosen for, as "M10"; empty if a person gave the pitch
 };
 
-/// The shapes of a pair of bodies while the moving one, the object, moves past the other one, the obstacle.
-struct Fit {
+/// An allowance as it is found, with the shape that it gives. The moving body is the object, the other one the
+/// obstacle.
+struct Fit : Allowance {
   enum class Role { Other, Shaft, Hole };  ///< role of the object if the two are coaxial
 
-  std::size_t obstacle = 0;  ///< index in the product
-  ContactKind kind = ContactKind::Contact;
+  std::size_t object = 0;  ///< index in the product
+  std::size_t obstacle = 0;
   Role role = Role::Other;
-  double overlap = 0.0;  ///< measured overlap, metres
-  /// Allowance of the face that moves farthest, metres; for a refused clash, the allowance that it would need.
-  double allowance = 0.0;
-  evidence::Evidence evidence{};  ///< evidence for the largest permitted allowance
   /// Set if a person marks the pair as a thread, or if the thread of the shaft is taken away.
   std::optional<FitThread> thread{};
-  bool core = false;    ///< the shaft's thread is taken away (core_fit.h)
-  bool hollow = false;  ///< the volume that the other body of the pair fills is taken away (check/hollow.h)
-  MeshPtr thinned{};    ///< the thinned body; null if it is whole
-  bool yields = false;  ///< the obstacle is taken thinner, not the object
+  MeshPtr thinned{};  ///< the thinned body; null if it is whole
   /// Set if the clash is accepted and refused all the same: it is not clear which body is cut, or neither stays whole.
   std::optional<evidence::Cut> cut{};
   Message refused{};  ///< reason why nothing is allowed; empty: it is allowed

@@ -96,6 +96,13 @@ Result<FitTable> FitTable::find(const AssembledProduct& product, ThreadTeam& tea
   return table;
 }
 
+FitTable FitTable::whole(const AssembledProduct& product) {
+  FitTable table;
+  table.objects_.resize(product.bodies.size());
+  table.prepared_ = std::make_shared<PreparedBodies>(product.bodies);
+  return table;
+}
+
 void FitTable::addPairs(const AssembledProduct& product) {
   for (std::size_t body = 0; body < objects_.size(); ++body) {
     for (const Contact& contact : objects_[body].contacts) {

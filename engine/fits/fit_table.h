@@ -2,6 +2,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,9 @@ class FitTable {
   static Result<FitTable> find(const AssembledProduct& product, ThreadTeam& team, const WorkWatch& watch,
                                const ContactLimits& limits = {});
 
+  /// The table of a product without fits: each body is whole, and no pair is compared.
+  static FitTable whole(const AssembledProduct& product);
+
   /// Pairs that touch, overlap or are within the requested clearance, by a, then by b.
   const std::vector<PairFit>& pairs() const { return pairs_; }
   /// The fits of each body with others while it moves.
@@ -74,6 +78,8 @@ class FitTable {
   Warnings warnings_;
   std::shared_ptr<PreparedBodies> prepared_;
 };
+
+using FitTablePtr = std::shared_ptr<const FitTable>;
 
 /// A warning that lists the first pairs that overlap without being a fit, a thread or a press; none if there is no such
 /// pair.

@@ -137,9 +137,11 @@ class FitFinder {
     const bool hasDepth = decision.kind == ContactKind::Clash || decision.kind == ContactKind::Overlap;
     if (hasDepth && bounds.depth > 0.0) contact.overlap = bounds.depth;
     contact.isPlainOverlap = hasDepth && bounds.isPlainOverlap && !decision.refused;
-    Fit fit{obstacle, contact.kind, roleOf(contact), contact.overlap};
+    Fit fit{{body(obstacle).id, contact.kind, contact.overlap}, question_.object, obstacle, roleOf(contact)};
+    fit.moving = object_.id;
     const bool marked = edit != nullptr && edit->kind == ContactKind::Thread;
     if (marked && found.contact.axis) fit.thread = threadOf(found, edit);
+    if (fit.thread) fit.pitch = fit.thread->rule.pitch;
     if (decision.refused) {
       if (!takeWithoutThread(fit, found) && !takeScrewHole(fit, found, bounds.depth))
         refuseClash(fit, found, bounds.depth);
@@ -381,7 +383,6 @@ class FitFinder {
       forget(taken->mesh);
       return false;
     }
-    fit.core = true;
     fit.yields = yields;
     fit.thinned = taken->mesh;
     fit.allowance = taken->core.depth();
@@ -392,7 +393,8 @@ class FitFinder {
     fit.role = roleOf(found.contact);
     fit.thread = threadOf(found, edit);
     if (*pitch != fit.thread->rule.pitch) fit.thread->size.clear();
-    fit.thread->rule.pitch = *pitch;
+    fit.thread->rule.pitch = fit.pitch = *pitch;
+    fit.core = statedThread(fit.thread->rule);
     fit.thread->rule.mayTurn = edit == nullptr || edit->turned.empty() || edit->turned == object_.id;
     fits_.contacts.back() = found.contact;
     fits_.allowed.push_back(std::move(fit));

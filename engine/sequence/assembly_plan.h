@@ -7,6 +7,7 @@
 
 #include "engine/base/enum_names.h"
 #include "engine/base/message.h"
+#include "engine/fits/allowance.h"
 #include "engine/fits/fit.h"
 #include "engine/fits/fit_thread.h"
 #include "engine/fits/joint.h"
@@ -16,22 +17,6 @@
 #include "engine/sequence/tool_kind.h"
 
 namespace glissade {
-
-/// The allowance between a moving body of a step and one other body.
-struct StepAllowance {
-  std::string body;  ///< id of the other body
-  ContactKind kind = ContactKind::Contact;
-  double overlap = 0.0;                          ///< measured overlap, metres
-  double allowance = 0.0;                        ///< metres
-  Message text;                                  ///< description, with names
-  std::string moving{};                          ///< id of the moving body; empty: the first body of the step
-  bool yields = false;                           ///< the other body is taken thinner, not the moving one
-  bool hollow = false;                           ///< the volume that the other body of the pair fills is taken away
-  std::optional<evidence::StatedThread> core{};  ///< thread of the body, taken away against the other body
-  double pitch = 0.0;  ///< pitch of a thread that comes apart by turning only, metres a turn; 0: none
-  double turns = 0.0;  ///< turns of the body in the thread, right-handed about the direction in which it leaves
-  evidence::Evidence evidence{};  ///< evidence for the largest allowance of the pair; all zero: the file does not say
-};
 
 /// Whether a tool can be brought on when a step begins.
 enum class ToolAccess { NotAsked, Free, Blocked };
@@ -105,7 +90,7 @@ struct AssemblyStep {
   std::size_t wave = 0;  ///< number from 1; steps of one wave were found together
   StepProof proof;
   /// Allowances against bodies that were there, and against those that may be there in another order (`after`).
-  std::vector<StepAllowance> allowances;
+  std::vector<Allowance> allowances;
   std::vector<std::string> with{};  ///< ids of the other bodies of a group
   /// Numbers, from 1, ascending, of the steps that have to be carried out before this one: their bodies would be in the
   /// way, or the order is demanded. Every order that keeps `after` of all steps is proved as well.

@@ -22,7 +22,7 @@ class ForwardingTrial : public RemovalTrial {
                                     const std::vector<std::size_t>& left, const StopToken& stop) override {
     return inner_.inTheWay(group, path, left, stop);
   }
-  std::vector<BodyFit> fitsWith(const BodyGroup& group, const BodySet& others) const override {
+  std::vector<Fit> fitsWith(const BodyGroup& group, const BodySet& others) const override {
     return inner_.fitsWith(group, others);
   }
   std::optional<Removed> certified(const BodyGroup& group, const std::vector<PathPoint>& path,

@@ -187,7 +187,7 @@ std::vector<std::size_t> JointRemoval::blockersOf(const BodyGroup& group, const 
   if (!blocking.empty()) return blocking;
   // No single body blocks the motion, but it was not proved against all of them together.
   std::set<std::size_t> near;
-  for (const BodyFit& fit : fits_.fitsOf(group, present)) near.insert(fit.fit.obstacle);
+  for (const Fit& fit : fits_.fitsOf(group, present)) near.insert(fit.obstacle);
   return {near.begin(), near.end()};
 }
 

@@ -64,7 +64,7 @@ RemovalAnswer MotionTrial::answerOf(const BodyGroup& group, const BodySet& prese
   const auto* lines = std::get_if<Refused>(&direct);
   if (lines == nullptr || lines->stopped) return direct;
   std::set<std::size_t> blocking(lines->blockedBy.begin(), lines->blockedBy.end());
-  for (const BodyFit& fit : fits_.fitsOf(group, present)) blocking.insert(fit.fit.obstacle);
+  for (const Fit& fit : fits_.fitsOf(group, present)) blocking.insert(fit.obstacle);
   refused->blockedBy.assign(blocking.begin(), blocking.end());
   return answer;
 }
@@ -144,11 +144,11 @@ BodyGroup MotionTrial::pulledOff(const BodyGroup& group, const std::vector<PathP
   if (threads_ == nullptr) return {};
   const std::vector<Pose> configurations = configurationsOf(path);
   std::set<std::size_t> holding;
-  for (const BodyFit& each : fits_.fitsOf(group, present)) {
-    const Pose X_GB = inverse(worlds_.object(group).X_WB) * product_.bodies[each.body].X_WB;
+  for (const Fit& fit : fits_.fitsOf(group, present)) {
+    const Pose X_GB = inverse(worlds_.object(group).X_WB) * product_.bodies[fit.object].X_WB;
     std::vector<Pose> ofBody;
     for (const Pose& q : configurations) ofBody.push_back(q * X_GB);
-    if (!threads_->pulled(each.body, each.fit.obstacle, ofBody).empty()) holding.insert(each.fit.obstacle);
+    if (!threads_->pulled(fit.object, fit.obstacle, ofBody).empty()) holding.insert(fit.obstacle);
   }
   return {holding.begin(), holding.end()};
 }

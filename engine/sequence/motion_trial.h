@@ -29,7 +29,7 @@ class MotionTrial final : public RemovalTrial {
                                           const StopToken& stop) override;
   std::vector<std::size_t> inTheWay(const BodyGroup& group, const std::vector<PathPoint>& path,
                                     const std::vector<std::size_t>& left, const StopToken& stop) override;
-  std::vector<BodyFit> fitsWith(const BodyGroup& group, const BodySet& others) const override {
+  std::vector<Fit> fitsWith(const BodyGroup& group, const BodySet& others) const override {
     return fits_.fitsOf(group, others);
   }
   std::optional<Removed> certified(const BodyGroup& group, const std::vector<PathPoint>& path,

@@ -42,7 +42,7 @@ class Renaming {
     one(step.tool.turned);
     for (StepViolation& violation : step.violates) all(violation.bodies);
     one(step.proof.nearest);
-    for (StepAllowance& allowance : step.allowances) {
+    for (Allowance& allowance : step.allowances) {
       one(allowance.body);
       one(allowance.moving);
     }

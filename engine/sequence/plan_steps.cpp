@@ -87,26 +87,21 @@ std::vector<StepViolation> violationsOf(const BodyGroup& group, const BodySet& p
   return violations;
 }
 
-void addAllowances(AssemblyStep& step, const BodyGroup& group, const std::vector<BodyFit>& fits,
+void addAllowances(AssemblyStep& step, const BodyGroup& group, const std::vector<Fit>& fits,
                    const AssembledProduct& product) {
   // If both bodies are thinned, pitch and turns are stated once.
   std::set<std::pair<std::size_t, std::size_t>> threads;
-  for (const BodyFit& each : fits) {
-    const RigidBody& body = product.bodies[each.body];
-    const RigidBody& other = product.bodies[each.fit.obstacle];
-    Fit fit = each.fit;
-    if (fit.thread && !threads.emplace(each.body, fit.obstacle).second) fit.thread.reset();
-    StepAllowance allowance{other.id, fit.kind, fit.overlap, fit.allowance, inWords(fit, body.shown(), other.shown())};
-    if (each.body != group.front()) allowance.moving = body.id;
-    allowance.yields = fit.yields;
-    allowance.hollow = fit.hollow;
-    if (fit.core) allowance.core = statedThread(each.fit.thread->rule);
-    allowance.evidence = fit.evidence;
-    if (fit.thread) {
-      allowance.pitch = fit.thread->rule.pitch;
-      allowance.turns = turnsIn(fit.thread->rule, body, other, step.path);
-      allowance.text = withTurns(std::move(allowance.text), allowance.turns);
+  for (Fit fit : fits) {
+    const RigidBody& body = product.bodies[fit.object];
+    const RigidBody& other = product.bodies[fit.obstacle];
+    if (fit.thread && !threads.emplace(fit.object, fit.obstacle).second) {
+      fit.thread.reset();
+      fit.pitch = 0.0;
     }
+    Allowance& allowance = fit;
+    if (fit.object == group.front()) allowance.moving.clear();
+    if (fit.thread) allowance.turns = turnsIn(fit.thread->rule, body, other, step.path);
+    allowance.text = withTurns(inWords(fit, body.shown(), other.shown()), allowance.turns);
     step.allowances.push_back(std::move(allowance));
   }
 }

@@ -13,7 +13,7 @@ std::vector<std::string> idsOf(const BodyGroup& bodies, const AssembledProduct& 
 BodyGroup groupOf(const AssemblyStep& step, const AssembledProduct& product);
 
 /// States the allowances of the group against other bodies on the step's path.
-void addAllowances(AssemblyStep& step, const BodyGroup& group, const std::vector<BodyFit>& fits,
+void addAllowances(AssemblyStep& step, const BodyGroup& group, const std::vector<Fit>& fits,
                    const AssembledProduct& product);
 
 /// The step by which a group leaves, proved after `afterSteps` steps; without wave and predecessors.

@@ -29,63 +29,55 @@ const MeshPtr* thinnedOf(const std::vector<Fit>& fits, std::size_t obstacle, boo
 
 }  // namespace
 
-Result<ProductFits> ProductFits::find(const AssembledProduct& product, ThreadTeam& team, const WorkWatch& watch) {
-  ProductFits found;
-  for (const RigidBody& body : product.bodies) found.moving_.push_back({{}, {}, body.mesh});
-  if (!product.fits.on) {
-    found.prepared_ = std::make_shared<PreparedBodies>(product.bodies);
-    return found;
-  }
-  const auto table = FitTable::find(product, team, watch);
-  if (!table) return table.error();
-  for (std::size_t body = 0; body < found.moving_.size(); ++body) {
-    found.moving_[body].fits = table->objects()[body].allowed;
-    found.moving_[body].clashes = table->objects()[body].clashes;
-    found.moving_[body].axes = glissade::axesOf(table->objects()[body].contacts);
-  }
-  for (const PairFit& pair : table->pairs()) found.contacts_.push_back(pair.contact);
+ProductFits::ProductFits(const AssembledProduct& product, FitTablePtr table) : table_(std::move(table)) {
+  for (const RigidBody& body : product.bodies) whole_.push_back(body.mesh);
+  for (const ObjectFits& object : table_->objects()) axes_.push_back(glissade::axesOf(object.contacts));
+  for (const PairFit& pair : table_->pairs()) contacts_.push_back(pair.contact);
   for (const evidence::SnapWord& snap : product.snaps) {
     const auto hook = product.indexOf(snap.hook);
     const auto edge = product.indexOf(snap.edge);
     if (!hook || !edge) continue;
-    found.bentWays_[{*hook, *edge}] = snap.direction;
-    found.bentWays_[{*edge, *hook}] = -snap.direction;
+    bentWays_[{*hook, *edge}] = snap.direction;
+    bentWays_[{*edge, *hook}] = -snap.direction;
   }
-  found.warnings_ = table->warnings();
-  found.prepared_ = table->prepared();
-  return found;
 }
 
-std::vector<BodyFit> ProductFits::fitsOf(const BodyGroup& group, const BodySet& present) const {
+Result<ProductFits> ProductFits::find(const AssembledProduct& product, ThreadTeam& team, const WorkWatch& watch) {
+  auto table = product.fits.on ? FitTable::find(product, team, watch) : FitTable::whole(product);
+  if (!table) return table.error();
+  return ProductFits(product, std::make_shared<const FitTable>(std::move(*table)));
+}
+
+std::vector<Fit> ProductFits::fitsOf(const BodyGroup& group, const BodySet& present) const {
   const BodySet others = without(present, group);
-  std::vector<BodyFit> fits;
+  std::vector<Fit> fits;
   for (const std::size_t body : group) {
-    for (const Fit& fit : moving_[body].fits) {
-      if (others[fit.obstacle]) fits.push_back({body, fit});
+    for (const Fit& fit : fitsOf(body)) {
+      if (others[fit.obstacle]) fits.push_back(fit);
     }
   }
   return fits;
 }
 
 const MeshPtr& ProductFits::obstacleFor(std::size_t body, std::size_t other) const {
-  const MeshPtr* thinned = thinnedOf(moving_[body].fits, other, true);
-  return thinned != nullptr ? *thinned : moving_[other].whole;
+  const MeshPtr* thinned = thinnedOf(fitsOf(body), other, true);
+  return thinned != nullptr ? *thinned : whole_[other];
 }
 
 const MeshPtr& ProductFits::meshAgainst(std::size_t body, std::size_t other) const {
-  const MeshPtr* thinned = thinnedOf(moving_[body].fits, other, false);
-  return thinned != nullptr ? *thinned : moving_[body].whole;
+  const MeshPtr* thinned = thinnedOf(fitsOf(body), other, false);
+  return thinned != nullptr ? *thinned : whole_[body];
 }
 
 const Fit* ProductFits::clashOf(std::size_t body, std::size_t other) const {
-  const std::vector<Fit>& clashes = moving_[body].clashes;
+  const std::vector<Fit>& clashes = table_->objects()[body].clashes;
   const auto found =
       std::find_if(clashes.begin(), clashes.end(), [&](const Fit& fit) { return fit.obstacle == other; });
   return found == clashes.end() ? nullptr : &*found;
 }
 
 const Fit* ProductFits::cutOf(std::size_t body, std::size_t other) const {
-  const std::vector<Fit>& fits = moving_[body].fits;
+  const std::vector<Fit>& fits = fitsOf(body);
   const auto found = std::find_if(fits.begin(), fits.end(), [&](const Fit& fit) {
     return fit.obstacle == other && fit.hollow && fit.kind != ContactKind::Thread;
   });
@@ -93,7 +85,7 @@ const Fit* ProductFits::cutOf(std::size_t body, std::size_t other) const {
 }
 
 const FitThread* ProductFits::threadOf(std::size_t body, std::size_t other) const {
-  for (const Fit& fit : moving_[body].fits) {
+  for (const Fit& fit : fitsOf(body)) {
     if (fit.obstacle == other && fit.thread) return &*fit.thread;
   }
   return nullptr;
@@ -113,8 +105,8 @@ bool ProductFits::isHooked(const BodyGroup& group, const BodySet& present) const
 }
 
 bool ProductFits::isInThread(const BodyGroup& group, const BodySet& present) const {
-  const std::vector<BodyFit> fits = fitsOf(group, present);
-  return std::any_of(fits.begin(), fits.end(), [](const BodyFit& each) { return each.fit.thread.has_value(); });
+  const std::vector<Fit> fits = fitsOf(group, present);
+  return std::any_of(fits.begin(), fits.end(), [](const Fit& fit) { return fit.thread.has_value(); });
 }
 
 }  // namespace glissade

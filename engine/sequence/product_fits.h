@@ -8,23 +8,19 @@
 
 namespace glissade {
 
-/// A fit of a motion: `body` moves past `fit.obstacle`.
-struct BodyFit {
-  std::size_t body = 0;
-  Fit fit;
-};
-
 /// The shapes that the bodies of each pair are taken to have when one of them moves past the other, by the table of
 /// fits. Immutable, shared by threads.
 class ProductFits {
  public:
-  /// `watch` and errors: see FitTable::find().
+  /// By the table of this product.
+  ProductFits(const AssembledProduct& product, FitTablePtr table);
+  /// Finds the table, if the product's fits are on. `watch` and errors: see FitTable::find().
   static Result<ProductFits> find(const AssembledProduct& product, ThreadTeam& team, const WorkWatch& watch);
 
   /// Fits of the body with other bodies.
-  const std::vector<Fit>& fitsOf(std::size_t body) const { return moving_[body].fits; }
+  const std::vector<Fit>& fitsOf(std::size_t body) const { return table_->objects()[body].allowed; }
   /// Fits of the bodies of a group with bodies of the set outside of the group.
-  std::vector<BodyFit> fitsOf(const BodyGroup& group, const BodySet& present) const;
+  std::vector<Fit> fitsOf(const BodyGroup& group, const BodySet& present) const;
   /// The body thinned by its fit with the other body; the whole body if there is none.
   const MeshPtr& meshAgainst(std::size_t body, std::size_t other) const;
   /// The shape of the other body when the body moves past it: whole, or thinned.
@@ -43,27 +39,20 @@ class ProductFits {
   /// True if a body of the group is screwed together with a body of the set outside of the group.
   bool isInThread(const BodyGroup& group, const BodySet& present) const;
   /// Axes of shafts and holes that the body shares with other bodies, unit, world frame, without duplicates.
-  const std::vector<Vector3>& axesOf(std::size_t body) const { return moving_[body].axes; }
+  const std::vector<Vector3>& axesOf(std::size_t body) const { return axes_[body]; }
   /// All contacts of the product; none where fits are off.
   const std::vector<Contact>& contacts() const { return contacts_; }
   /// Clashes that nobody has accepted, each once, and bodies that cannot be thinned.
-  const Warnings& warnings() const { return warnings_; }
+  const Warnings& warnings() const { return table_->warnings(); }
   /// The product's bodies, whole and thinned.
-  const std::shared_ptr<PreparedBodies>& prepared() const { return prepared_; }
+  const std::shared_ptr<PreparedBodies>& prepared() const { return table_->prepared(); }
 
  private:
-  struct Moving {
-    std::vector<Fit> fits;
-    std::vector<Vector3> axes;
-    MeshPtr whole;
-    std::vector<Fit> clashes{};
-  };
-
-  std::vector<Moving> moving_;                                       ///< one entry for each body
+  FitTablePtr table_;
+  std::vector<MeshPtr> whole_;                                       ///< one entry for each body
+  std::vector<std::vector<Vector3>> axes_;                           ///< one entry for each body
   std::map<std::pair<std::size_t, std::size_t>, Vector3> bentWays_;  ///< by moving body and other body
   std::vector<Contact> contacts_;
-  Warnings warnings_;
-  std::shared_ptr<PreparedBodies> prepared_;
 };
 
 }  // namespace glissade

@@ -13,9 +13,9 @@ namespace glissade {
 
 /// A certified motion that takes a group out of the product.
 struct Removed {
-  Path path;           ///< path of MovingObject's frame; the certificate names bodies by their index in the product
-  std::string method;  ///< see AssemblyStep::method
-  std::vector<BodyFit> fits;  ///< fits with bodies that were there
+  Path path;              ///< path of MovingObject's frame; the certificate names bodies by their index in the product
+  std::string method;     ///< see AssemblyStep::method
+  std::vector<Fit> fits;  ///< fits with bodies that were there
 };
 
 /// No motion was found.
@@ -57,7 +57,7 @@ class RemovalTrial {
   virtual std::vector<std::size_t> inTheWay(const BodyGroup& group, const std::vector<PathPoint>& path,
                                             const std::vector<std::size_t>& left, const StopToken& stop) = 0;
   /// The fits of the group with bodies of `others`.
-  virtual std::vector<BodyFit> fitsWith(const BodyGroup& /*group*/, const BodySet& /*others*/) const { return {}; }
+  virtual std::vector<Fit> fitsWith(const BodyGroup& /*group*/, const BodySet& /*others*/) const { return {}; }
   /// The motion, certified while the bodies of `present` are there; nothing if it is not certified. Same threads as
   /// tryRemoval().
   virtual std::optional<Removed> certified(const BodyGroup& group, const std::vector<PathPoint>& path,

@@ -26,11 +26,10 @@ std::vector<std::set<std::size_t>> allBefore(const AssemblyPlan& plan) {
   return before;
 }
 
-bool isStated(const AssemblyStep& step, const BodyFit& fit, const AssembledProduct& product) {
-  return std::any_of(step.allowances.begin(), step.allowances.end(), [&](const StepAllowance& each) {
+bool isStated(const AssemblyStep& step, const Fit& fit) {
+  return std::any_of(step.allowances.begin(), step.allowances.end(), [&](const Allowance& each) {
     const std::string& moving = each.moving.empty() ? step.body : each.moving;
-    return each.body == product.bodies[fit.fit.obstacle].id && moving == product.bodies[fit.body].id &&
-           each.yields == fit.fit.yields;
+    return each.body == fit.body && moving == fit.moving && each.yields == fit.yields;
   });
 }
 
@@ -50,10 +49,10 @@ void stateAllowancesOfAllOrders(AssemblyPlan& plan, const std::vector<BodyGroup>
         if (isBefore) left.insert(product.bodies[body].id);
       }
     }
-    std::erase_if(plan.steps[step].allowances, [&](const StepAllowance& each) { return left.count(each.body) != 0; });
+    std::erase_if(plan.steps[step].allowances, [&](const Allowance& each) { return left.count(each.body) != 0; });
     if (!plan.steps[step].certified) continue;
-    std::vector<BodyFit> fits = question.trial.fitsWith(groups[step], others);
-    std::erase_if(fits, [&](const BodyFit& fit) { return isStated(plan.steps[step], fit, product); });
+    std::vector<Fit> fits = question.trial.fitsWith(groups[step], others);
+    std::erase_if(fits, [&](const Fit& fit) { return isStated(plan.steps[step], fit); });
     addAllowances(plan.steps[step], groups[step], fits, product);
   }
 }

@@ -72,7 +72,7 @@ class StepTimer {
 
   static double turnsOf(const AssemblyStep& step) {
     double turns = 0.0;
-    for (const StepAllowance& each : step.allowances) turns = std::max(turns, std::abs(each.turns));
+    for (const Allowance& each : step.allowances) turns = std::max(turns, std::abs(each.turns));
     for (const StepJoint& each : step.joints) turns = std::max(turns, each.turns);
     return turns;
   }

@@ -15,7 +15,7 @@ std::optional<double> finite(double value) { return std::isfinite(value) ? std::
 
 double largestAllowance(const AssemblyStep& step) {
   double largest = 0.0;
-  for (const StepAllowance& allowance : step.allowances) largest = std::max(largest, allowance.allowance);
+  for (const Allowance& allowance : step.allowances) largest = std::max(largest, allowance.allowance);
   return largest;
 }
 

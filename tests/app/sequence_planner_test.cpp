@@ -38,7 +38,7 @@ class SequencePlannerTest : public ::testing::Test {
     QCoreApplication::processEvents();
   }
 
-  SequencePlanner planner;
+  SequencePlanner planner{std::make_shared<ProductFinder>()};
   std::vector<GrownPlan> grown;
   std::vector<GrownPlan> planned;
   std::vector<std::vector<StepCheck>> judged;

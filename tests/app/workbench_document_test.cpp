@@ -407,6 +407,40 @@ TEST_F(WorkbenchDocumentTest, WhileTheScenarioIsATemporaryOneTheOneOfBeforeIsSav
   EXPECT_TRUE(document.isModified());
 }
 
+TEST_F(WorkbenchDocumentTest, AnEditOfAJointMovesNoBodyAndIsOneStepBackAndForth) {
+  const std::string before = text();
+  const CollisionWorldPtr world = document.scenario()->problem.world;
+  Changes announced;
+  QObject::connect(&document, &WorkbenchDocument::changed, [&](Changes what) { announced |= what; });
+  document.setJoints(QStringLiteral("Dissolve"), {{{JointKind::Screw, "O1", {"O2"}}, JointEdit::Word::Dissolved}});
+  EXPECT_TRUE(announced & Change::Joints);
+  EXPECT_FALSE(announced & Change::Arrangement);
+  EXPECT_EQ(document.scenario()->problem.world, world);
+  EXPECT_TRUE(document.isModified());
+  EXPECT_FALSE(document.isProblemSaved());
+  const std::string after = text();
+  EXPECT_NE(after, before);
+  document.undo();
+  EXPECT_EQ(text(), before);
+  EXPECT_FALSE(document.isModified());
+  document.redo();
+  EXPECT_EQ(text(), after);
+}
+
+/// A temporary scenario has fewer bodies, and no edits of the joints of the others.
+TEST_F(WorkbenchDocumentTest, AnEditOfAJointOfATemporaryScenarioIsNotDoneAgain) {
+  const JointEdit lasting{{JointKind::Screw, "O1", {"O2"}}, JointEdit::Word::Dissolved};
+  document.setJoints(QStringLiteral("Dissolve"), {lasting});
+  ASSERT_TRUE(
+      document.editTemporarily(QStringLiteral("By hand"), [](Scenario& scenario) { return removeBody("O1", scenario); })
+          .ok());
+  EXPECT_TRUE(document.current().joints.empty());
+  document.setJoints(QStringLiteral("Make"), {{{JointKind::Unit, "O2", {"O3"}}, JointEdit::Word::Opened}});
+  document.endTemporary();
+  EXPECT_EQ(document.current().joints, std::vector<JointEdit>{lasting});
+  EXPECT_FALSE(document.undoStack().canRedo());
+}
+
 TEST_F(WorkbenchDocumentTest, ATemporaryScenarioThatIsUndoneLeavesTheFileAsItWas) {
   const std::string before = text();
   const auto withoutWall = [](Scenario& scenario) { return removeBody("O1", scenario); };

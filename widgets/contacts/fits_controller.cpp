@@ -4,7 +4,6 @@
 
 #include "engine/files/product_file.h"
 #include "engine/fits/fit_edits.h"
-#include "engine/fits/fit_table.h"
 
 namespace glissade {
 namespace {
@@ -54,19 +53,18 @@ void FitsController::followDocument(Changes what) {
 void FitsController::find() {
   const ScenarioPtr scenario = bench_.document.scenario();
   if (!scenario) return;
-  bench_.work.run(tr("Looking for fits"), [this, scenario](const WorkWatch& watch) -> BackgroundTask::Delivery {
-    ThreadTeam alone(0);
-    const auto table = std::make_shared<const Result<FitTable>>(FitTable::find(productOf(*scenario), alone, watch));
-    return [this, scenario, table] {
-      if (bench_.document.scenario() != scenario) return;
-      if (!*table) {
-        bench_.messages.showError(tr("The fits cannot be found"), table->error());
-        return;
-      }
-      panel_->setFits(std::make_shared<const std::vector<PairFit>>((*table)->pairs()));
-      enableActions();
-    };
-  });
+  bench_.work.run(tr("Looking for fits"),
+                  [this, scenario, finder = bench_.finder](const WorkWatch& watch) -> BackgroundTask::Delivery {
+                    ThreadTeam alone(0);
+                    return [this, table = finder->fits(productOf(*scenario), alone, watch)] {
+                      if (!table) {
+                        bench_.messages.showError(tr("The fits cannot be found"), table.error());
+                        return;
+                      }
+                      panel_->setFits({*table, &(*table)->pairs()});
+                      enableActions();
+                    };
+                  });
 }
 
 /// Selects both bodies, so that the view marks them.

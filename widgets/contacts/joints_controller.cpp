@@ -5,7 +5,6 @@
 #include "engine/files/product_file.h"
 #include "engine/files/scenario_fits.h"
 #include "engine/files/sequence_knowledge.h"
-#include "engine/fits/joint_finder.h"
 #include "widgets/contacts/joint_dialog.h"
 #include "widgets/contacts/joint_draft.h"
 
@@ -152,9 +151,9 @@ void JointsController::followDocument(Changes what) {
     task_.cancel();
     found_.reset();
     panel_->setTable(nullptr);
-  } else if (found_ && (what & (Change::Arrangement | Change::Semantics))) {
+  } else if (found_ && (what & (Change::Arrangement | Change::Semantics | Change::Joints))) {
     if (isOfFoundJoints(what)) {
-      if (what & Change::Arrangement) showFound();
+      if (what & (Change::Arrangement | Change::Joints)) showFound();
     } else {
       found_.reset();
       panel_->setTable(nullptr);
@@ -173,11 +172,12 @@ void JointsController::find() {
   const ScenarioPtr scenario = bench_.document.scenario();
   if (!scenario) return;
   const auto edits = bench_.document.edits();
-  const auto work = [this, scenario, edits](const WorkWatch& watch) -> BackgroundTask::Delivery {
+  const auto work = [this, scenario, edits,
+                     finder = bench_.finder](const WorkWatch& watch) -> BackgroundTask::Delivery {
     Found found{bodiesOf(*scenario), std::make_shared<const AssembledProduct>(productOf(*scenario)), {}, {}};
     found.classes = classesOf(*edits, found.product->bodies);
-    found.joints = std::make_shared<const Joints>(findJoints(*found.product, watch.stop, found.classes));
-    if (watch.stop.stopRequested()) return [] {};
+    found.joints = finder->joints(*found.product, found.classes, watch.stop);
+    if (!found.joints) return [] {};
     return [this, found = std::move(found)] { take(found); };
   };
   task_.start(GLISSADE_TEXT("looking for joints"), work, bench_.work.isAtOnce());
@@ -308,10 +308,8 @@ Outcome JointsController::apply(const QString& text, const JointChange& change) 
   const std::vector<JointEdit> said = change(table->said());
   if (said == table->said()) return Done{};
   if (const auto why = newRefusal(*table, table->with(said))) return *why;
-  return bench_.document.edit(text, [change](Scenario& scenario) {
-    scenario.joints = change(scenario.joints);
-    return Outcome(Done{});
-  });
+  bench_.document.setJoints(text, said);
+  return Done{};
 }
 
 void JointsController::applyOrReport(const QString& text, const JointChange& change) {

@@ -26,7 +26,7 @@ class JointsController final : public QObject {
     AssembledProduct arranged;  ///< from bodiesOf(); compared to detect changes
     ProductPtr product;
     std::vector<std::string> classes;
-    std::shared_ptr<const Joints> joints;
+    JointsPtr joints;
   };
 
   /// A change of the person's edits.

@@ -12,6 +12,11 @@ void RunRecorder::open(const ScenarioPtr& scenario) {
   next_.reset();
 }
 
+void RunRecorder::takeJoints(const ScenarioPtr& scenario) {
+  (next_ ? next_ : scenario_) = scenario;
+  head_.reset();
+}
+
 bool RunRecorder::follow(const SessionSnapshot& snapshot) {
   if (snapshot.log.empty() || !scenario_) return false;
   const bool another = parts_.empty() || parts_.front() != snapshot.log.front();

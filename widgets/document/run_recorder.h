@@ -18,6 +18,8 @@ class RunRecorder {
   void open(const ScenarioPtr& scenario);
   /// Sets the scenario of the next run; the recording of the last one stays until then.
   void rearrange(const ScenarioPtr& scenario) { next_ = scenario; }
+  /// Takes the same scenario with other edits of joints, which no run depends on: the recording is about it, too.
+  void takeJoints(const ScenarioPtr& scenario);
   /// Takes the snapshot into the recording. True if another run has begun.
   bool follow(const SessionSnapshot& snapshot);
 

@@ -5,8 +5,6 @@
 
 #include "engine/base/thread_team.h"
 #include "engine/files/judged_product.h"
-#include "engine/fits/joint_edits.h"
-#include "engine/fits/joint_finder.h"
 #include "engine/sequence/sequence_run.h"
 
 namespace glissade {
@@ -37,11 +35,7 @@ class AnnouncingHost final : public SequenceHost {
   const StopToken& stopToken() const override { return token_; }
   ThreadTeam& team() override { return team_; }
 
-  void asking(std::size_t bodies, int effort) override {
-    grown_.asking = bodies;
-    grown_.effort = effort;
-    if (effort > 0) announce_(grown_);
-  }
+  void asking(std::size_t /*bodies*/, int /*effort*/) override {}
 
   void stepFound(const AssemblyPlan& plan) override {
     grown_.plan = std::make_shared<const AssemblyPlan>(plan);
@@ -58,7 +52,6 @@ class AnnouncingHost final : public SequenceHost {
     grown_.foundAfter.resize(
         std::min(grown_.foundAfter.size(), plan.steps.size() - std::min(known_, plan.steps.size())));
     grown_.plan = std::make_shared<const AssemblyPlan>(std::move(plan));
-    grown_.asking = 0;
     return grown_;
   }
 
@@ -95,33 +88,25 @@ class AnnouncingHost final : public SequenceHost {
 
 std::size_t helpers() { return usableCores() - 1; }
 
-using FitsPtr = std::shared_ptr<const ProductFits>;
-/// Finds the fits of a product before it is planned.
-using FitsFinder = std::function<Result<FitsPtr>(const Joints& joints, ThreadTeam& team, const WorkWatch& watch)>;
-using JointsFinder = std::function<Result<Joints>()>;
-
-Result<GrownPlan> planOf(const SequenceJob& job, const WorkWatch& watch, const StopSource& stop,
-                         const FitsFinder& findFits, const JointsFinder& findJoints,
+Result<GrownPlan> planOf(const SequenceJob& job, ProductFinder& finder, const WorkWatch& watch, const StopSource& stop,
                          const AnnouncingHost::Announce& announce) {
   ThreadTeam team(helpers());
-  const AssembledProduct& product = *job.product;
-  const auto joints = findJoints();
-  if (!joints) return joints.error();
-  const auto found = findFits(*joints, team, watch.part(0.0, kFitsShare));
+  const WorkWatch toFind(stop.token(), watch.part(0.0, kFitsShare).progressed);
+  const auto found = finder.findings(*job.product, job.classes, job.demands, team, toFind);
   if (!found) return found.error();
-  const ProductFits& fits = **found;
   watch.report(kFitsShare);
   AnnouncingHost host(job, watch, stop, team, announce);
   SequenceRequest request{job.staying, job.strategy, job.seed, job.demands, job.resumed.get(), job.known.get()};
-  request.joints = &*joints;
-  auto plan = planSequence(product, fits, request, host);
+  request.joints = &found->joints;
+  auto plan = planSequence(*job.product, found->fits, request, host);
   if (!plan) return plan.error();
   return host.ended(std::move(*plan));
 }
 
 }  // namespace
 
-SequencePlanner::SequencePlanner(QObject* parent) : QObject(parent) {
+SequencePlanner::SequencePlanner(std::shared_ptr<ProductFinder> finder, QObject* parent)
+    : QObject(parent), finder_(std::move(finder)) {
   connect(&task_, &BackgroundTask::ended, this, [this] { planning_ = false; });
   connect(&task_, &BackgroundTask::failed, this, &SequencePlanner::failed);
 }
@@ -138,47 +123,6 @@ void SequencePlanner::deliver(const std::function<void()>& signal, std::uint64_t
   });
 }
 
-/// The fits of the product with the bends of the joints that count.
-Result<FitsPtr> SequencePlanner::fitsOf(KnownProduct& known, const SequenceJob& job, const Joints& joints,
-                                        ThreadTeam& team, const WorkWatch& watch) {
-  AssembledProduct bent = *job.product;
-  bent.snaps = bendsOf(countingJoints(joints, job.demands.jointUse), bent);
-  const std::lock_guard lock(known.mutex);
-  if (known.product == job.product && known.fits && known.bends == bent.snaps) return known.fits;
-  auto fits = ProductFits::find(bent, team, watch);
-  if (!fits) return fits.error();
-  auto found = std::make_shared<const ProductFits>(std::move(*fits));
-  if (known.product != job.product) return found;
-  known.fits = found;
-  known.bends = bent.snaps;
-  return found;
-}
-
-/// Forgets the fits and joints if the product is another one.
-void SequencePlanner::know(KnownProduct& known, const ProductPtr& product) {
-  const std::lock_guard lock(known.mutex);
-  if (known.product == product) return;
-  known.product = product;
-  known.fits.reset();
-  known.joints.reset();
-}
-
-/// Returns no joints if the demands use none. Joints after a stop are incomplete, and not remembered.
-Result<Joints> SequencePlanner::jointsOf(KnownProduct& known, const SequenceJob& job, const StopToken& stop) {
-  know(known, job.product);
-  if (job.demands.jointUse == JointUse::Off) return Joints();
-  const std::lock_guard lock(known.mutex);
-  const bool isKnown = known.product == job.product && known.joints && known.classes == job.classes;
-  const auto found =
-      isKnown ? known.joints : std::make_shared<const Joints>(findJoints(*job.product, stop, job.classes));
-  if (stop.stopRequested()) return Joints();
-  if (known.product == job.product) {
-    known.joints = found;
-    known.classes = job.classes;
-  }
-  return applied(*found, job.demands.joints, *job.product);
-}
-
 void SequencePlanner::plan(const SequenceJob& job, bool atOnce) {
   drop();
   stop_ = StopSource();
@@ -186,17 +130,11 @@ void SequencePlanner::plan(const SequenceJob& job, bool atOnce) {
   const auto announce = [this, request](const GrownPlan& grown) {
     deliver([this, grown] { emit this->grown(grown); }, request);
   };
-  const auto findFits = [known = known_, job, stop = stop_](const Joints& joints, ThreadTeam& team,
-                                                            const WorkWatch& watch) {
-    return fitsOf(*known, job, joints, team, {stop.token(), watch.progressed});
-  };
-  const auto findJoints = [known = known_, job, stop = stop_] { return jointsOf(*known, job, stop.token()); };
   planning_ = true;
   task_.start(
       GLISSADE_TEXT("planning the sequence"),
-      [this, job, stop = stop_, findFits, findJoints, announce](const WorkWatch& watch) -> BackgroundTask::Delivery {
-        const auto found =
-            std::make_shared<const Result<GrownPlan>>(planOf(job, watch, stop, findFits, findJoints, announce));
+      [this, job, finder = finder_, stop = stop_, announce](const WorkWatch& watch) -> BackgroundTask::Delivery {
+        const auto found = std::make_shared<const Result<GrownPlan>>(planOf(job, *finder, watch, stop, announce));
         return [this, found] {
           planning_ = false;
           if (*found) {

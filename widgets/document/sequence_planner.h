@@ -2,7 +2,6 @@
 
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,7 +9,7 @@
 #include "engine/sequence/assembly_plan.h"
 #include "engine/sequence/body_group.h"
 #include "engine/sequence/order_rules.h"
-#include "engine/sequence/product_fits.h"
+#include "engine/sequence/product_finder.h"
 #include "engine/sequence/sequence_run.h"
 #include "engine/study/plan_words.h"
 #include "widgets/controls/background_task.h"
@@ -36,10 +35,8 @@ struct SequenceJob {
 /// A plan as far as it has been found.
 struct GrownPlan {
   PlanPtr plan;
-  std::vector<double>
-      foundAfter;          ///< seconds since planning began, for each of the last steps, which were found since then
-  std::size_t asking = 0;  ///< number of parts whose removal is being searched now
-  int effort = 0;          ///< 0: straight motions; above: searches
+  /// Seconds since planning began, for each of the last steps, which were found since then.
+  std::vector<double> foundAfter;
 };
 
 /// Verdict of the independent check on the plan; `said` are a person's statements about the product.
@@ -52,7 +49,7 @@ class SequencePlanner final : public QObject {
   Q_OBJECT
 
  public:
-  explicit SequencePlanner(QObject* parent = nullptr);
+  explicit SequencePlanner(std::shared_ptr<ProductFinder> finder, QObject* parent = nullptr);
   ~SequencePlanner() override;
 
   /// `atOnce`: planning ends before this function returns.
@@ -77,24 +74,8 @@ class SequencePlanner final : public QObject {
  private:
   void deliver(const std::function<void()>& signal, std::uint64_t request);
 
-  /// The fits and joints of the product that was planned last, which do not depend on demands. It is used on the
-  /// worker.
-  struct KnownProduct {
-    std::mutex mutex;
-    ProductPtr product;
-    std::shared_ptr<const ProductFits> fits;  ///< found with `bends`; null: not searched yet
-    std::vector<evidence::SnapWord> bends;
-    std::vector<std::string> classes;
-    std::shared_ptr<const Joints> joints;  ///< found with `classes`; null: not searched yet
-  };
-  static Result<std::shared_ptr<const ProductFits>> fitsOf(KnownProduct& known, const SequenceJob& job,
-                                                           const Joints& joints, ThreadTeam& team,
-                                                           const WorkWatch& watch);
-  static void know(KnownProduct& known, const ProductPtr& product);
-  static Result<Joints> jointsOf(KnownProduct& known, const SequenceJob& job, const StopToken& stop);
-
   BackgroundTask task_;
-  std::shared_ptr<KnownProduct> known_ = std::make_shared<KnownProduct>();
+  std::shared_ptr<ProductFinder> finder_;
   StopSource stop_;
   std::uint64_t request_ = 0;
   bool planning_ = false;

@@ -22,7 +22,12 @@ class ValueCommand final : public QUndoCommand {
         apply_(std::move(apply)),
         mergeKey_(std::move(mergeKey)) {}
 
-  void undo() override { apply_(before_); }
+  /// The command leaves the undo stack when it is undone.
+  void doOnce() { once_ = true; }
+  void undo() override {
+    apply_(before_);
+    setObsolete(once_);
+  }
   void redo() override { apply_(after_); }
   int id() const override { return mergeKey_.isEmpty() ? -1 : 1; }
   bool mergeWith(const QUndoCommand* next) override {
@@ -38,6 +43,7 @@ class ValueCommand final : public QUndoCommand {
   Value after_;
   Apply apply_;
   QString mergeKey_;
+  bool once_ = false;
 };
 
 }  // namespace glissade

@@ -86,7 +86,8 @@ WorkbenchDocument::~WorkbenchDocument() {
 
 void WorkbenchDocument::announce(Changes what) {
   pending_ |= what;
-  if (what & (Change::Scenario | Change::Arrangement | Change::Semantics | Change::File | Change::Sequence)) ++version_;
+  constexpr auto kBasis = Change::Scenario | Change::Arrangement | Change::Semantics | Change::File;
+  if (what & (kBasis | Change::Sequence | Change::Joints)) ++version_;
   if (announcing_ || collecting_ || !scenario_) return;
   const QScopedValueRollback<bool> announcing(announcing_, true);
   while (pending_) {
@@ -308,6 +309,22 @@ void WorkbenchDocument::setDemands(const QString& text, const SequenceDemands& d
 void WorkbenchDocument::takeDemands(const SequenceDemands& demands) {
   demands_ = demands;
   announce(Change::Sequence);
+}
+
+void WorkbenchDocument::setJoints(const QString& text, const std::vector<JointEdit>& joints) {
+  const std::vector<JointEdit>& before = scenario_->scenario.joints;
+  if (joints == before) return;
+  const auto take = [this](const std::vector<JointEdit>& taken) { takeJoints(taken); };
+  auto* command = new ValueCommand<std::vector<JointEdit>>(text, before, joints, take);
+  if (isTemporary()) command->doOnce();  // the temporary scenario lacks edits of joints of the parts that have left
+  undo_.push(command);
+}
+
+void WorkbenchDocument::takeJoints(const std::vector<JointEdit>& joints) {
+  auto scenario = std::make_shared<LoadedScenario>(*scenario_);
+  scenario->scenario.joints = joints;
+  scenario_ = std::move(scenario);
+  announce(Change::Joints);
 }
 
 void WorkbenchDocument::setPlan(const std::shared_ptr<const AssemblyPlan>& plan) {

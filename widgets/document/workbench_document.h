@@ -27,13 +27,14 @@ enum class Change {
   Results = 0x40,      ///< the path
   File = 0x80,         ///< the file, and whether it holds all edits
   Paths = 0x100,       ///< the paths that are kept
-  Sequence = 0x200     ///< the demands on assembly plans
+  Sequence = 0x200,    ///< the demands on assembly plans
+  Joints = 0x400       ///< a person's edits of joints
 };
 
 Q_DECLARE_FLAGS(Changes, Change)
 Q_DECLARE_OPERATORS_FOR_FLAGS(Changes)
 
-inline constexpr int kEveryChange = 0x3ff;
+inline constexpr int kEveryChange = 0x7ff;
 
 /// The settings of the next run, as the session has them.
 struct RunSettings {
@@ -89,6 +90,8 @@ class WorkbenchDocument final : public QObject {
   const SequenceDemands& demands() const { return demands_; }
   /// Sets the demands; undoable.
   void setDemands(const QString& text, const SequenceDemands& demands);
+  /// Sets a person's edits of the joints; undoable. No body moves, so a run and proofs of paths stay.
+  void setJoints(const QString& text, const std::vector<JointEdit>& joints);
   /// The assembly plan that was found or opened last; null: none. The arrangement may have changed since.
   const std::shared_ptr<const AssemblyPlan>& plan() const { return plan_; }
   /// Sets the plan. A plan is a result: it is saved with the scenario, and is no step of the undo stack.
@@ -188,6 +191,7 @@ class WorkbenchDocument final : public QObject {
   Outcome addEdit(const QString& text, ScenarioChange change, const QString& mergeKey, bool temporary);
   void followUndo();
   void takeDemands(const SequenceDemands& demands);
+  void takeJoints(const std::vector<JointEdit>& joints);
   void announce(Changes what);
   /// Announces all changes by `change` in one round.
   void changeInOneRound(const std::function<void()>& change);

@@ -119,9 +119,7 @@ void KeptPathsController::startProof(const KeptPathPtr& path) {
     LoadedScenario edited = *scenario;
     edited.problem.scene.edits = edits;
     const KeptPathProof proof = proveAgain(*path, edited, watch);
-    return [this, path, scenario, proof] {
-      if (bench_.document.scenario() == scenario) takeProof(*path, proof);
-    };
+    return [this, path, proof] { takeProof(*path, proof); };
   };
   proving_.start(GLISSADE_TEXT("proving a kept path"), prove, bench_.work.isAtOnce());
 }

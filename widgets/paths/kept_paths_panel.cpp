@@ -36,9 +36,9 @@ QIcon swatch(const QColor& colour) {
 
 QString allowanceTip(const KeptPath& path) {
   QStringList lines;
-  for (const KeptAllowance& allowance : path.allowances) {
+  for (const Allowance& allowance : path.allowances) {
     const QString body = QString::fromStdString(allowance.body);
-    const QString length = lengthText(allowance.metres);
+    const QString length = lengthText(allowance.allowance);
     if (allowance.hollow) {
       lines << KeptPathsPanel::tr("accepted clash with %1, %2 deep").arg(body, length);
       continue;

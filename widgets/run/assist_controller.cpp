@@ -136,9 +136,8 @@ BackgroundTask::Work AssistController::search(Then then) {
     const auto places = std::make_shared<const std::vector<HelpPlace>>(
         helpPlaces(problem, grown.nodes, grown.edges, shown->parameters, shown->seed, wholeWay, kHelpGaps, kGapBudget,
                    watch.part(kWholeWay, 1.0)));
-    return [this, then, scenario, run = shown->run, places] {
-      if (bench_.document.scenario() != scenario || bench_.session.snapshot()->run != run || !bench_.run.isLive())
-        return;
+    return [this, then, run = shown->run, places] {
+      if (bench_.session.snapshot()->run != run || !bench_.run.isLive()) return;
       nextOffer_ = 2.0 * bench_.session.snapshot()->planningSeconds;
       show(places);
       if (places->empty()) bench_.messages.showStatus(tr("No place to help was found."));

@@ -77,8 +77,9 @@ void RefusalController::followDocument(Changes what) {
     noticed_.clear();
     bar_->hide();
     mark(nullptr);
-  } else if ((what & Change::Arrangement) && conflicts_) {
-    examineEnds();
+  } else if (what & Change::Arrangement) {
+    examination_.cancel();
+    if (conflicts_) examineEnds();
   }
 }
 
@@ -148,9 +149,7 @@ void RefusalController::examineEnds() {
   const auto examine = [this, required,
                         scenario = bench_.document.scenario()](const WorkWatch& watch) -> BackgroundTask::Delivery {
     auto found = findEndConflicts(*scenario, required, watch.stop);
-    return [this, scenario, found = std::move(found)] {
-      if (bench_.document.scenario() == scenario) takeConflicts(found);
-    };
+    return [this, found = std::move(found)] { takeConflicts(found); };
   };
   examination_.start(GLISSADE_TEXT("examining start and goal"), examine, bench_.work.isAtOnce());
 }

@@ -75,13 +75,17 @@ ReplayController::ReplayController(const Workbench& bench)
 }
 
 void ReplayController::followDocument(Changes what) {
-  if (!(what & (Change::Scenario | Change::Arrangement))) return;
+  const ScenarioPtr& scenario = bench_.document.scenario();
+  if (!(what & (Change::Scenario | Change::Arrangement))) {
+    if (what & Change::Joints) recorder_.takeJoints(scenario);
+    return;
+  }
   close();
   opened_.reset();
   if (what & Change::Scenario) {
-    recorder_.open(bench_.document.scenario());
+    recorder_.open(scenario);
   } else {
-    recorder_.rearrange(bench_.document.scenario());
+    recorder_.rearrange(scenario);
   }
   enableActions();
 }

@@ -59,6 +59,7 @@ SequenceController::SequenceController(const Workbench& bench)
     : QObject(&bench.window),
       bench_(bench),
       panel_(new SequencePanel(bench.actions, &bench.window)),
+      planner_(bench.finder),
       instructions_(new InstructionController(bench, *this)),
       film_(
           bench.work, [&bench] { return bench.scene.picture(kFilmPicture); }, bench.scene.view().camera()),
@@ -227,14 +228,13 @@ void SequenceController::followDocument(Changes what) {
   if (what & (Change::Scenario | Change::Arrangement)) {
     followArrangement((what & Change::Scenario) != 0);
     (void)knowsOtherDemands();
-  } else if ((what & (Change::Sequence | Change::Semantics)) && knowsOtherDemands() && !adopting_) {
+  } else if ((what & (Change::Sequence | Change::Semantics | Change::Joints)) && knowsOtherDemands() && !adopting_) {
     followDemands();
   }
 }
 
 /// Follows a changed arrangement. If bodies have moved, the plan is judged again; if they are other bodies, it is
-/// removed. The plan of an opened scenario is judged too. If only the edits of joints changed, the sequence is planned
-/// again.
+/// removed. The plan of an opened scenario is judged too.
 void SequenceController::followArrangement(bool another) {
   planner_.drop();
   panel_->setCost(bench_.document.demands().cost);
@@ -249,9 +249,6 @@ void SequenceController::followArrangement(bool another) {
     return;
   } else if (const auto known = rememberedPlan(product)) {
     keepPlan(*known);
-    return;
-  } else if (product == shown().product && knowsOtherDemands()) {
-    followDemands();
     return;
   } else {
     keepPlan({product, shown().plan ? planOf(*product, shown().plan) : nullptr, false, shown().foundAfter, {}});

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+#include "engine/sequence/product_finder.h"
 #include "widgets/controls/action_catalogue.h"
 #include "widgets/document/session_bridge.h"
 #include "widgets/document/workbench_document.h"
@@ -15,6 +17,7 @@ namespace glissade {
 /// Objects that the controllers of the window share. The window owns them; they outlive the controllers.
 struct Workbench {
   WorkbenchDocument& document;
+  std::shared_ptr<ProductFinder> finder;  ///< shared with background work
   SessionBridge& session;
   ShownRun& run;
   SceneWidget& scene;

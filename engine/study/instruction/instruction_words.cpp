@@ -29,7 +29,7 @@ std::optional<CatalogueText> sentenceOf(const StepJoint& joint, bool isOwn) {
 }
 
 bool isInAHole(const AssemblyStep& step) {
-  return std::any_of(step.allowances.begin(), step.allowances.end(), [](const StepAllowance& allowance) {
+  return std::any_of(step.allowances.begin(), step.allowances.end(), [](const Allowance& allowance) {
     return allowance.kind == ContactKind::Cylindrical || allowance.kind == ContactKind::Press;
   });
 }

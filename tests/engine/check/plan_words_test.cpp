@@ -210,7 +210,7 @@ AssemblyPlan turnedBy(const AssembledProduct& product, double pitch) {
     const Quaternion orientation(Eigen::AngleAxisd(turn, way.normalized()));
     step.path.push_back({{first.position + share * way, orientation * first.orientation}, Author::Computer});
   }
-  for (StepAllowance& each : step.allowances) {
+  for (Allowance& each : step.allowances) {
     each.pitch = pitch;
     each.turns = way.norm() / std::abs(pitch);
   }

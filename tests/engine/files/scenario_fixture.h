@@ -147,7 +147,7 @@ inline Scenario fullScenario() {
   kept.requiredClearance = 1.0 / 3e6;
   kept.clearance = 0.25;
   kept.provedClearance = 0.125;
-  kept.allowances = {{"wall", 1e-5}};
+  kept.allowances = {{"wall", ContactKind::Contact, 0.0, 1e-5}};
   kept.problemSha256 = std::string(64, 'b');
   kept.points = {{scenario.start}, {Pose::translation({1.0 / 3.0, 0, 0}), Author::Contact, Author::Operator}};
   scenario.paths = {std::make_shared<const KeptPath>(kept)};

@@ -21,7 +21,7 @@ AssembledProduct neighbours() {
 
 std::vector<std::string> allowedAgainst(const AssemblyStep& step) {
   std::vector<std::string> bodies;
-  for (const StepAllowance& each : step.allowances) bodies.push_back(each.body);
+  for (const Allowance& each : step.allowances) bodies.push_back(each.body);
   std::sort(bodies.begin(), bodies.end());
   bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
   return bodies;

@@ -55,7 +55,7 @@ class ThreadCorePlan : public testing::Test {
     ASSERT_EQ(plan.steps[0].allowances.size(), 1U);
     ASSERT_TRUE(allowance().core);
   }
-  StepAllowance& allowance() { return plan.steps[0].allowances[0]; }
+  Allowance& allowance() { return plan.steps[0].allowances[0]; }
   std::vector<PathPoint>& path() { return plan.steps[0].path; }
 
   AssembledProduct product = screwInNut();
@@ -105,7 +105,7 @@ TEST(SelfTappingScrew, IsTurnedOutAndTheJudgeRefusesThePull) {
   for (PathPoint& point : plan->steps[0].path) point.q.orientation = before;
   EXPECT_FALSE(isConfirmed(*plan, product));
   // The hole that is taken wider instead lets no thread be pulled either.
-  StepAllowance& wider = plan->steps[0].allowances[0];
+  Allowance& wider = plan->steps[0].allowances[0];
   wider.core.reset();
   wider.yields = true;
   wider.kind = ContactKind::Overlap;

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glissade {
+
+/// What a person says of all fits on the command line; it overrides what the file says.
+struct FitOptions {
+  std::optional<bool> on{};
+  std::optional<double> acceptedClash{};  ///< metres; turns fits on unless they are turned off
+  /// Bodies that are cut in accepted clashes: ids, or the ends of ids behind a "/".
+  std::vector<std::string> cut{};
+
+  /// `fits`: the settings of a scenario, or the words that the judge reads.
+  template <class Fits>
+  void applyTo(Fits& fits) const {
+    if (acceptedClash) {
+      fits.acceptedClash = *acceptedClash;
+      fits.on = true;
+    }
+    if (on) fits.on = *on;
+    fits.cut.insert(fits.cut.end(), cut.begin(), cut.end());
+  }
+};
+
+}  // namespace glissade

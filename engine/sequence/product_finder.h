@@ -1,0 +1,57 @@
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/fits/fit_table.h"
+#include "engine/fits/joint.h"
+#include "engine/sequence/order_rules.h"
+#include "engine/sequence/product_fits.h"
+
+namespace glissade {
+
+using JointsPtr = std::shared_ptr<const Joints>;
+
+/// What is known about a product before its sequence is planned.
+struct ProductFindings {
+  Joints joints;     ///< with the person's edits among the demands; none if the demands use none
+  ProductFits fits;  ///< with the bends of the joints that count
+};
+
+/// Finds the fits and joints of products, for the window and the command line. Answers about the last products are
+/// remembered, so that the panels and the sequence share them. Thread-safe: a second asker waits for the answer.
+class ProductFinder {
+ public:
+  /// The table of fits, whether the product's fits are on or not. `limits`: nothing for FitTable::whole(). `watch` and
+  /// errors: see FitTable::find().
+  Result<FitTablePtr> fits(const AssembledProduct& product, ThreadTeam& team, const WorkWatch& watch,
+                           const std::optional<ContactLimits>& limits = ContactLimits());
+  /// The joints that are found without a person, by findJoints(); null after a stop.
+  JointsPtr joints(const AssembledProduct& product, const std::vector<std::string>& classes, const StopToken& stop);
+  /// Errors: those of fits() and applied(). After a stop the error is Interrupted.
+  Result<ProductFindings> findings(const AssembledProduct& product, const std::vector<std::string>& classes,
+                                   const SequenceDemands& demands, ThreadTeam& team, const WorkWatch& watch);
+
+ private:
+  struct KnownFits {
+    AssembledProduct product;
+    std::optional<ContactLimits> limits;
+    FitTablePtr table;
+  };
+  struct KnownJoints {
+    AssembledProduct product;
+    std::vector<std::string> classes;
+    JointsPtr joints;
+  };
+
+  std::mutex fitsMutex_;
+  std::mutex jointsMutex_;
+  std::deque<KnownFits> fits_;  ///< the last answer first
+  std::deque<KnownJoints> joints_;
+};
+
+}  // namespace glissade
