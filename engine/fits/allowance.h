@@ -4,7 +4,8 @@
 #include <string>
 
 #include "engine/base/message.h"
-#include "engine/check/path.h"
+#include "engine/evidence/evidence.h"
+#include "engine/evidence/thread.h"
 #include "engine/fits/fit_settings.h"
 
 namespace glissade {
