@@ -47,8 +47,10 @@ class PaperColumn:
 
 @dataclass(frozen=True)
 class Finding:
-    """A claim about cells: for each pair of a cell of `cells` and one of `than` that agree in `pair_by`, the quantity of
-    the first is below (above) `factor` times that of the second; or, where `than` is a number, below (above) it.
+    """A claim about cells.
+
+    For each pair of a cell of `cells` and one of `than` that agree in `pair_by`, the quantity of the first is below
+    (above) `factor` times that of the second; or, where `than` is a number, below (above) it.
 
     A selection of cells has the lists "rows", "strategies", "operators" and "scenarios"; a missing list selects all.
     """
