@@ -5,6 +5,7 @@
 #include "engine/files/scenario.h"
 #include "engine/planning/clearance_profile.h"
 #include "engine/study/report.h"
+#include "engine/study/study_words.h"
 
 namespace glissade {
 

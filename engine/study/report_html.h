@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "engine/base/result.h"
 #include "engine/study/report.h"
 
 namespace glissade {

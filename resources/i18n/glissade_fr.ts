@@ -2211,7 +2211,7 @@
         <translation>Écrire la page d&apos;une étude avec ses tableaux et ses courbes, et l&apos;ouvrir dans le navigateur</translation>
     </message>
     <message>
-        <source>Open &amp;run of a study...</source>
+        <source>Open ru&amp;n of a study...</source>
         <translation>Ouvrir un &amp;essai d&apos;une étude...</translation>
     </message>
     <message>

@@ -48,7 +48,8 @@ ORIGIN = (("date", "Date"), ("machine", "Machine"), ("libraries", "Libraries"), 
 
 
 def main(arguments: Optional[list[str]] = None) -> None:
-    options = parser_of("Write the page of the benchmarks.", "folder that packaging/benchmarks.sh filled").parse_args(arguments)
+    parser = parser_of("Write the page of the benchmarks.", "folder that packaging/benchmarks.sh filled")
+    options = parser.parse_args(arguments)
     html = page_of(options.folder, for_paper=bool(options.pdf))
     save_page(html, options.pdf or (options.out or options.folder) / "benchmarks.html", bool(options.pdf))
 

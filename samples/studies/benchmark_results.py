@@ -6,6 +6,8 @@ import math
 from dataclasses import dataclass, field
 from typing import Any, Optional
 
+from study_results import number_of, text_of
+
 OWN_CLOCK = "manual_time"  # the program measured the time itself
 _SECONDS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
 _OWN_KEYS = {"family_index", "per_family_instance_index", "repetitions", "repetition_index", "threads", "iterations",
@@ -23,7 +25,7 @@ class BenchmarkTime:
     @property
     def parts(self) -> list[str]:
         """Parts of the name, without those that Google Benchmark adds ('iterations:1', 'manual_time')."""
-        return [part for part in self.name.split("/") if ":" not in part and part != OWN_CLOCK]
+        return [part for part in self.name.split("/") if ":" not in part and part != OWN_CLOCK] or [self.name]
 
 
 @dataclass
@@ -70,7 +72,7 @@ class GrowthSeries:
 
 def benchmark_run(root: dict[str, Any]) -> BenchmarkRun:
     """Benchmarks that ended with an error, and aggregates other than the median, are left out."""
-    context = {key: value for key, value in root["context"].items() if isinstance(value, str)}
+    context = {key: text_of(value) for key, value in root["context"].items() if isinstance(value, str)}
     return BenchmarkRun(context, [_time_of(entry) for entry in root["benchmarks"] if _is_measured(entry)])
 
 
@@ -81,11 +83,11 @@ def _is_measured(entry: dict[str, Any]) -> bool:
 
 
 def _time_of(entry: dict[str, Any]) -> BenchmarkTime:
-    name = str(entry["run_name" if entry.get("run_type") == "aggregate" else "name"])
-    measured = float(entry["real_time" if OWN_CLOCK in name else "cpu_time"])
-    if entry["time_unit"] not in _SECONDS or not measured > 0:
+    name = text_of(entry["run_name" if entry.get("run_type") == "aggregate" else "name"])
+    measured = number_of(entry["real_time" if OWN_CLOCK in name else "cpu_time"])
+    if text_of(entry["time_unit"]) not in _SECONDS or not measured > 0:
         raise ValueError(f"the time of {name} is not positive, or not in ns, us, ms or s")
-    counters = {key: float(value) for key, value in entry.items()
+    counters = {key: number_of(value) for key, value in entry.items()
                 if isinstance(value, (int, float)) and not isinstance(value, bool) and key not in _OWN_KEYS}
     return BenchmarkTime(name, measured * _SECONDS[entry["time_unit"]], dict(sorted(counters.items())))
 
@@ -124,4 +126,4 @@ def _positive(text: str) -> Optional[float]:
         value = float(text)
     except ValueError:
         return None
-    return value if value > 0 else None
+    return value if 0 < value < math.inf else None

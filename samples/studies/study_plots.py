@@ -157,8 +157,8 @@ class _Plotter:
             plot.x = fitting(_axis_title(self._along, self._words), [point.x for point in points])
         else:
             plot.x = Scale(self._words("Scenario"), CATEGORIES, names=self._scenarios)
-        # Values are counts of runs and never negative. Zeros have no place on a logarithmic axis.
-        ys = [y for point in points for y in (point.y, point.low, point.high) if y]
+        # Zeros have no place on a logarithmic axis.
+        ys = [y for point in points for y in (point.y, point.low, point.high) if y > 0]
         if column.quantity.is_success:
             plot.y = Scale(f"{title} (%)", PERCENTAGES)
         elif self._along:

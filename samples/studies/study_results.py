@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import csv
 import json
+import math
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 from typing import Any, Callable, Optional, Union
@@ -46,8 +47,10 @@ class PaperColumn:
 
 @dataclass(frozen=True)
 class Finding:
-    """A claim about cells: for each pair of a cell of `cells` and one of `than` that agree in `pair_by`, the quantity of
-    the first is below (above) `factor` times that of the second; or, where `than` is a number, below (above) it.
+    """A claim about cells.
+
+    For each pair of a cell of `cells` and one of `than` that agree in `pair_by`, the quantity of the first is below
+    (above) `factor` times that of the second; or, where `than` is a number, below (above) it.
 
     A selection of cells has the lists "rows", "strategies", "operators" and "scenarios"; a missing list selects all.
     """
@@ -200,77 +203,101 @@ def read_json(file: Path, make: Callable[[Any], Any]) -> Any:
         raise ResultsError(f"{file}: {error.strerror}. Run the study, or choose its folder of results.") from error
     except KeyError as error:
         raise ResultsError(f"{file}: has no {error}. Write it again: glissade-cli report DIR.") from error
-    except (ValueError, TypeError, AttributeError, RecursionError) as error:
+    except (ValueError, TypeError, AttributeError, OverflowError, RecursionError) as error:
         reason = str(error).splitlines()[0]
         raise ResultsError(f"{file}: is malformed: {reason}. Write it again: glissade-cli report DIR.") from error
+
+
+def text_of(value: Any) -> str:
+    """A text of a JSON file. Characters that cannot be written are replaced."""
+    if not isinstance(value, str):
+        raise ValueError(f"{value!r:.40} is no text")
+    return value.encode("utf-8", "replace").decode("utf-8")
+
+
+def number_of(value: Any) -> float:
+    """A finite number of a JSON file."""
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
+        raise ValueError(f"{value!r:.40} is no number")
+    return float(value)
+
+
+def _count_of(value: Any) -> int:
+    if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= 10**9:
+        raise ValueError(f"{value!r:.40} is no count")
+    return value
 
 
 def _study_of(root: dict[str, Any]) -> StudyResults:
     if root["format"] != "glissade-study-summary":
         raise ValueError("it is no summary of a study")
     if root["version"] != SUMMARY_VERSION:
-        raise ValueError(f"it has version {root['version']}, and version {SUMMARY_VERSION} is known")
+        raise ValueError(f"it has version {root['version']!r:.40}, and version {SUMMARY_VERSION} is known")
     if not root["cells"]:
         raise ValueError("it has no cells")
     return StudyResults(
-        name=str(root["name"]),
-        title=str(root["title"]),
-        description=str(root["description"]),
-        citation=str(root["citation"]),
+        name=text_of(root["name"]),
+        title=text_of(root["title"]),
+        description=text_of(root["description"]),
+        citation=text_of(root["citation"]),
         quick=bool(root["quick"]),
-        version=str(root["glissade"]),
-        study_sha256=str(root["study_sha256"]),
-        plan_sha256=str(root["plan_sha256"]),
-        paper=[PaperColumn(c["key"], c["title"], _quantity_of(c)) for c in root["paper"]],
+        version=text_of(root["glissade"]),
+        study_sha256=text_of(root["study_sha256"]),
+        plan_sha256=text_of(root["plan_sha256"]),
+        paper=[PaperColumn(text_of(c["key"]), text_of(c["title"]), _quantity_of(c)) for c in root["paper"]],
         findings=[_finding_of(finding) for finding in root["findings"]],
-        axes=[Axis(a["key"], a["label"], a["symbol"], a["unit"]) for a in root["axes"]],
+        axes=[Axis(*(text_of(a[key]) for key in ("key", "label", "symbol", "unit"))) for a in root["axes"]],
         cells=[_cell_of(cell) for cell in root["cells"]],
     )
 
 
 def _quantity_of(entry: dict[str, Any]) -> Quantity:
-    return Quantity(entry["measure"], entry.get("statistic", ""), entry.get("over", ""))
+    return Quantity(text_of(entry["measure"]), text_of(entry.get("statistic", "")), text_of(entry.get("over", "")))
 
 
 def _finding_of(entry: dict[str, Any]) -> Finding:
     than = entry["than"]
+    pair_by = tuple(text_of(key) for key in entry.get("pair_by", ()))
+    if not set(pair_by) <= {"operator", "scenario", "strategy"}:
+        raise ValueError(f"{pair_by} is no pairing")
     return Finding(
-        text=entry["text"],
+        text=text_of(entry["text"]),
         quantity=_quantity_of(entry),
         cells=_selection_of(entry["cells"]),
         below=entry["is"] == "below",
-        than=_selection_of(than) if isinstance(than, dict) else float(than),
-        factor=float(entry.get("factor", 1.0)),
-        pair_by=tuple(entry.get("pair_by", ())),
+        than=_selection_of(than) if isinstance(than, dict) else number_of(than),
+        factor=number_of(entry.get("factor", 1.0)),
+        pair_by=pair_by,
     )
 
 
 def _selection_of(entry: dict[str, Any]) -> dict[str, list[str]]:
-    return {key: [str(name) for name in names] for key, names in entry.items()}
+    return {key: [text_of(name) for name in names] for key, names in entry.items()}
 
 
 def _cell_of(entry: dict[str, Any]) -> Cell:
     rate = entry["success_rate"]
     return Cell(
-        label=entry["label"],
-        row=entry["row"],
-        scenario=entry["scenario"],
-        strategy=entry["strategy"],
-        operator=entry["operator"],
+        label=text_of(entry["label"]),
+        row=text_of(entry["row"]),
+        scenario=text_of(entry["scenario"]),
+        strategy=text_of(entry["strategy"]),
+        operator=text_of(entry["operator"]),
         settings=_numbers_of(entry["settings"]),
         parameters=_numbers_of(entry["parameters"]),
-        planned=int(entry["planned"]),
-        runs=int(entry["runs"]),
-        statuses={"solved": 0, **{name: int(count) for name, count in entry["statuses"].items()}},
-        success=Value(float(rate["share"]), float(rate["wilson95_low"]), float(rate["wilson95_high"])),
+        planned=_count_of(entry["planned"]),
+        runs=_count_of(entry["runs"]),
+        statuses={"solved": 0, **{text_of(name): _count_of(count) for name, count in entry["statuses"].items()}},
+        success=Value(*(number_of(rate[key]) for key in ("share", "wilson95_low", "wilson95_high"))),
         measures={name: _measure_of(measure) for name, measure in entry["measures"].items()},
-        paper=dict(entry["paper"]),
-        command=entry["command"],
+        paper={key: text_of(value) if isinstance(value, str) else number_of(value)
+               for key, value in entry["paper"].items()},
+        command=text_of(entry["command"]),
     )
 
 
 def _numbers_of(entry: dict[str, Any]) -> dict[str, float]:
-    return {key: float(value) for key, value in entry.items()}
+    return {key: number_of(value) for key, value in entry.items()}
 
 
 def _measure_of(entry: dict[str, Any]) -> Measure:
@@ -280,7 +307,7 @@ def _measure_of(entry: dict[str, Any]) -> Measure:
 def _distribution_of(entry: dict[str, Any]) -> Distribution:
     if not entry["count"]:
         return Distribution(0)
-    return Distribution(int(entry["count"]), *(float(entry[key]) for key in ("q1", "median", "q3", "mean")))
+    return Distribution(_count_of(entry["count"]), *(number_of(entry[key]) for key in ("q1", "median", "q3", "mean")))
 
 
 def _add_timing(results: StudyResults, file: Path) -> None:
@@ -299,7 +326,7 @@ def _timing_of(row: dict[str, str]) -> tuple[int, dict[str, Measure]]:
     def distribution(measure: str, over: str) -> Distribution:
         count = int(row[f"{measure}_{over}_n"])
         names = ("q1", "median", "q3", "mean")
-        return Distribution(count, *(float(row[f"{measure}_{over}_{name}"]) for name in names if count))
+        return Distribution(count, *(number_of(float(row[f"{measure}_{over}_{name}"])) for name in names if count))
 
     measures = {name: Measure(distribution(name, "solved"), distribution(name, "all")) for name in TIMING_MEASURES}
     return int(row["cell"]), measures
@@ -315,7 +342,7 @@ def _add_runs(results: StudyResults, file: Path) -> None:
 
 
 def _run_of(row: dict[str, str]) -> Run:
-    numbers = {name: float(row[name]) if row[name] else None for name in RUN_NUMBERS}
+    numbers = {name: number_of(float(row[name])) if row[name] else None for name in RUN_NUMBERS}
     return Run(int(row["cell"]), str(int(row["seed"])), row["status"], numbers)
 
 

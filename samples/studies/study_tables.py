@@ -109,7 +109,8 @@ def runs_table(runs: list[Run], folder: str, words: Words) -> Table:
                    (words("File"), TEXT)])
     for run in runs:
         numbers = [NOTHING if run.numbers[name] is None else short_number(run.numbers[name]) for name in RUN_NUMBERS]
-        table.rows.append([run.seed, words(run.status), *numbers, Link(run.file, os.path.normpath(os.path.join(folder, run.file)))])
+        file = Link(run.file, os.path.normpath(os.path.join(folder, run.file)))
+        table.rows.append([run.seed, words(run.status), *numbers, file])
     return table
 
 

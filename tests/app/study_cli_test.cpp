@@ -118,11 +118,14 @@ TEST_F(StudyCli, SequencesAreRunsAsPathsAre) {
   for (const char* shard : {"1", "2"}) {
     ASSERT_EQ(shell(command("shard-" + std::string(shard), "--shard " + std::string(shard) + "/2")), 0) << said;
   }
-  ASSERT_EQ(shell(kCli + " merge " + path("shard-1") + " " + path("shard-2") + " --out " + path("merged")), 0) << said;
+  ASSERT_EQ(
+      shell(kCli + " merge " + path("shard-1") + " " + path("shard-2") + " --out " + path("merged") + " --report"), 0)
+      << said;
   const std::string runs = test::readWhole(path("merged") + "/runs.csv");
   EXPECT_THAT(runs, HasSubstr("solved"));
   EXPECT_THAT(runs, HasSubstr("no-path"));
   EXPECT_THAT(runs, HasSubstr("parts_removed"));
+  EXPECT_THAT(test::readWhole(path("merged") + "/report.html"), HasSubstr("interlocked, group"));
   study["operators"] = {"expert"};
   use(study);
   EXPECT_EQ(shell(command("wrong")), 3) << said;
@@ -205,6 +208,7 @@ TEST_F(StudyCli, WrongUsageAndBadFilesGetOneClearMessage) {
   expectRefused(command("out"), 3, "/strategies/0");
   EXPECT_FALSE(fs::exists(path("out"))) << "a bad study leaves nothing behind";
   EXPECT_EQ(shell(kCli + " study"), 2);
+  expectRefused("GLISSADE_PYTHON=/nowhere " + kCli + " benchmark-page " + files.folder.path(), 3, "python3-matplotlib");
 }
 
 TEST_F(StudyCli, ADryRunWritesNothing) {
@@ -242,7 +246,7 @@ TEST_F(StudyCli, PeersRunBesideOurs) {
   study["seeds"] = {1};
   study.erase("quick");
   use(study);
-  ASSERT_EQ(shell(command("out", "--jobs 2")), 0) << said;
+  ASSERT_EQ(shell(command("out", "--jobs 2 --report")), 0) << said;
   const Json summary = Json::parse(test::readWhole(path("out") + "/summary.json"));
   ASSERT_EQ(summary["cells"].size(), 12U);
   std::size_t refused = 0;
@@ -256,6 +260,7 @@ TEST_F(StudyCli, PeersRunBesideOurs) {
   }
   EXPECT_GE(refused, 1U) << "an edge from start to goal passes through the wall, and nobody looks";
   EXPECT_THAT(test::readWhole(path("out") + "/timing.csv"), HasSubstr("planning_cpu_s"));
+  EXPECT_THAT(test::readWhole(path("out") + "/report.html"), HasSubstr("fine, peer-bitrrt"));
 }
 
 /// The report of a study promises that its runs can be repeated.

@@ -272,7 +272,7 @@ const std::vector<ActionSpec>& actionSpecs() {
       {"study.open", QT_TRANSLATE_NOOP("Actions", "&Open study results..."), "Ctrl+Shift+O",
        QT_TRANSLATE_NOOP("Actions", "Write the page of a study with its tables and plots, and open it in the browser"),
        false},
-      {"study.open-run", QT_TRANSLATE_NOOP("Actions", "Open &run of a study..."), "",
+      {"study.open-run", QT_TRANSLATE_NOOP("Actions", "Open ru&n of a study..."), "",
        QT_TRANSLATE_NOOP("Actions", "Show a run of a study again, from its file runs/cellN-seedM.json"), false},
       {"study.report-pdf", QT_TRANSLATE_NOOP("Actions", "Save the &report as PDF..."), "",
        QT_TRANSLATE_NOOP("Actions", "Write the report of the study that is open as PDF"), false},
