@@ -13,7 +13,7 @@
 namespace glissade {
 namespace {
 
-enum Column { Kind, Amount, BodyA, BodyB, Allowance, Status, ColumnCount };
+enum Column { Kind, Amount, BodyA, BodyB, Thinning, Status, ColumnCount };
 
 constexpr int kIndexRole = Qt::UserRole;  // index of the pair
 
@@ -132,8 +132,8 @@ void FitsPanel::addRow(std::size_t index) {
   setLength(*row, Amount, signedGap(fit.contact), signedLengthText(signedGap(fit.contact)));
   row->setToolTip(Amount, amountText(fit.contact));
   const double allowance = fit.way().allowance();
-  setLength(*row, Allowance, allowance, allowance > 0.0 ? columnLengthText(allowance) : QStringLiteral("–"));
-  row->setToolTip(Allowance, wayText(fit));
+  setLength(*row, Thinning, allowance, allowance > 0.0 ? columnLengthText(allowance) : QStringLiteral("–"));
+  row->setToolTip(Thinning, wayText(fit));
   row->setText(Status, statusText(fit.status()));
   row->setToolTip(Status, wayText(fit));
   row->setText(BodyA, QString::fromStdString(fit.shown[0]));

@@ -66,7 +66,7 @@ std::vector<Figure> figures() {
       {ComparePathsDialog::tr("Allowances"),
        [](const KeptPathRow& row) {
          QStringList lines;
-         for (const Allowance& allowance : row.path->allowances) {
+         for (const auto& allowance : row.path->allowances) {
            const QString length = lengthText(allowance.allowance);
            lines << (allowance.hollow ? ComparePathsDialog::tr("accepted clash, %1").arg(length) : length) +
                         QStringLiteral(" · ") + QString::fromStdString(allowance.body);

@@ -36,7 +36,7 @@ QIcon swatch(const QColor& colour) {
 
 QString allowanceTip(const KeptPath& path) {
   QStringList lines;
-  for (const Allowance& allowance : path.allowances) {
+  for (const auto& allowance : path.allowances) {
     const QString body = QString::fromStdString(allowance.body);
     const QString length = lengthText(allowance.allowance);
     if (allowance.hollow) {

@@ -51,7 +51,7 @@ QString joinedTexts(const std::vector<std::string>& texts, const QString& separa
 
 QString largestAllowanceText(const AssemblyStep& step) {
   double largest = 0.0;
-  for (const Allowance& allowance : step.allowances) largest = std::max(largest, allowance.allowance);
+  for (const auto& allowance : step.allowances) largest = std::max(largest, allowance.allowance);
   return largest > 0.0 ? columnLengthText(largest) : QStringLiteral("–");
 }
 

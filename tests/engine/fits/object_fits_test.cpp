@@ -86,12 +86,12 @@ TEST(ObjectFits, AnAcceptedRodThroughAPlateLeavesAlongAHoleOfItsOwnShape) {
 }
 
 TEST(ObjectFits, SaysItInWords) {
-  const Fit screw{0, ContactKind::Thread, Fit::Role::Shaft, 0.0004, 0.00041};
+  const Fit screw{{"plate", ContactKind::Thread, 0.0004, 0.00041}, 0, 0, Fit::Role::Shaft};
   EXPECT_EQ(toString(inWords(screw, "screw", "plate")),
             "screw taken 0.41 mm thinner in the tapped hole of plate (thread)");
-  const Fit nut{0, ContactKind::Cylindrical, Fit::Role::Hole, 0.0, 0.0000213};
+  const Fit nut{{"bolt", ContactKind::Cylindrical, 0.0, 0.0000213}, 0, 0, Fit::Role::Hole};
   EXPECT_EQ(toString(inWords(nut, "nut", "bolt")), "nut taken 0.0213 mm thinner on the shaft of bolt (cylindrical)");
-  Fit block{0, ContactKind::Planar, Fit::Role::Other, 0.0, 0.000001};
+  Fit block{{"plate", ContactKind::Planar, 0.0, 0.000001}};
   EXPECT_EQ(toString(inWords(block, "block", "plate")), "block taken 0.001 mm thinner against plate (planar)");
   block.evidence.byPerson = 1e-6;
   EXPECT_EQ(toString(inWords(block, "block", "plate")),
