@@ -27,7 +27,8 @@ bool JudgedThreads::mayBePulled(std::size_t body, std::size_t other, const std::
   return !placed_.boundsOf({own, own.X_WB}, {obstacle, obstacle.X_WB}, strict, nullptr, {}).refused().empty();
 }
 
-std::vector<check::CommonThread> JudgedThreads::of(std::size_t body, std::size_t other, const std::vector<Fit>& fits) {
+std::vector<check::CommonThread> JudgedThreads::of(std::size_t body, std::size_t other, const std::vector<Fit>& fits,
+                                                   const StopToken& stop) {
   double overlap = 0.0;
   bool isCalledThread = false;
   for (const Fit& fit : fits) {
@@ -38,9 +39,10 @@ std::vector<check::CommonThread> JudgedThreads::of(std::size_t body, std::size_t
   if ((overlap <= 0.0 && !isCalledThread) || mayBePulled(body, other, fits)) return {};
   const check::Body own = bodyAt(body);
   const check::Body obstacle = bodyAt(other);
-  return check::commonThreads({placed_.at({own, own.X_WB}), placed_.at({obstacle, obstacle.X_WB}), overlap,
-                               isCalledThread, nullptr, check::screwSizeIn(own.name),
-                               check::screwSizeIn(obstacle.name)});
+  return check::commonThreads(
+      {placed_.at({own, own.X_WB}), placed_.at({obstacle, obstacle.X_WB}), overlap, isCalledThread, nullptr,
+       check::screwSizeIn(own.name), check::screwSizeIn(obstacle.name)},
+      stop);
 }
 
 }  // namespace glissade
