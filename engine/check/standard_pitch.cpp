@@ -16,9 +16,6 @@ namespace {
 constexpr std::array kFamilies{ThreadFamily::Metric, ThreadFamily::Unified, ThreadFamily::Tapping, ThreadFamily::Pipe,
                                ThreadFamily::Trapezoidal};
 
-/// Pitches of metric threads that are wider than all that are listed, metres.
-constexpr std::array kWidePitches{6e-3, 4e-3, 3e-3, 2e-3, 1.5e-3};
-
 /// Relative deviation of a stated pitch from a standard one.
 constexpr double kPitchShare = 0.02;
 /// Largest depth of a thread of 60 degrees, in pitches, as a difference of diameters.
@@ -63,10 +60,10 @@ bool isStandardPitch(double diameter, double pitch) {
     const std::vector<ThreadSize>& sizes = threadSizes(family);
     return std::any_of(sizes.begin(), sizes.end(), isOf);
   };
-  const auto isWide = [&](double standard) { return isThread(diameter, standard, diameter, advance); };
+  const auto isMetric = [&](double standard) { return isThread(diameter, standard, diameter, advance); };
+  const std::vector<double> metric = metricPitches(diameter);
   return std::any_of(kFamilies.begin(), kFamilies.end(), isOfFamily) ||
-         (diameter > threadSizes(ThreadFamily::Metric).back().diameter &&
-          std::any_of(kWidePitches.begin(), kWidePitches.end(), isWide));
+         std::any_of(metric.begin(), metric.end(), isMetric);
 }
 
 bool saysLeftHanded(const std::string& name) {

@@ -2,7 +2,7 @@
 
 namespace glissade {
 
-PreparedBodies::PreparedBodies(std::vector<RigidBody> bodies) : bodies_(std::move(bodies)) {
+PreparedBodies::PreparedBodies(std::vector<RigidBody> bodies, BoxCare care) : bodies_(std::move(bodies)), care_(care) {
   Box3 all;
   for (const RigidBody& body : bodies_) {
     boxes_.push_back(boundingBox(*body.mesh, body.X_WB));
@@ -36,8 +36,8 @@ PreparedBodies::ObstaclePtr PreparedBodies::obstacle(const MeshPtr& mesh) {
     const auto known = obstacles_.find(mesh);
     if (known != obstacles_.end()) return known->second;
   }
-  auto prepared =
-      std::make_shared<const PreparedObstacle>(PreparedObstacle{kernelObstacle(*mesh, scale_), Solids::prepare(*mesh)});
+  auto prepared = std::make_shared<const PreparedObstacle>(
+      PreparedObstacle{kernelObstacle(*mesh, scale_, care_), Solids::prepare(*mesh)});
   const std::lock_guard lock(mutex_);
   return obstacles_.try_emplace(mesh, std::move(prepared)).first->second;
 }
@@ -50,7 +50,7 @@ PreparedBodies::ObjectPtr PreparedBodies::object(const MeshPtr& mesh) {
   }
   auto prepared = std::make_shared<const PreparedObject>(
       PreparedObject{mesh, radiusAboutOrigin(*mesh), std::make_shared<const MotionBound>(*mesh),
-                     kernelObject(*mesh, scale_), Solids::prepare(*mesh)});
+                     kernelObject(*mesh, scale_, care_), Solids::prepare(*mesh)});
   const std::lock_guard lock(mutex_);
   return objects_.try_emplace(mesh, std::move(prepared)).first->second;
 }

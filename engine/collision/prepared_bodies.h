@@ -37,7 +37,7 @@ struct ComposedObstacle {
 /// need. Thread-safe.
 class PreparedBodies {
  public:
-  explicit PreparedBodies(std::vector<RigidBody> bodies);
+  explicit PreparedBodies(std::vector<RigidBody> bodies, BoxCare care = BoxCare::ForManyQueries);
 
   /// An obstacle of a world, by its index, and the mesh that replaces the object against it.
   struct Against {
@@ -64,6 +64,7 @@ class PreparedBodies {
   std::vector<RigidBody> bodies_;
   std::vector<Box3> boxes_;
   double scale_;
+  BoxCare care_;
   std::mutex mutex_;  ///< guards the members below
   std::map<MeshPtr, ObstaclePtr> obstacles_;
   std::map<MeshPtr, ObjectPtr> objects_;

@@ -302,16 +302,21 @@ PairBounds boundsOf(const MeasuredBody& one, const MeasuredBody& other, const Fi
   // its depth counts for both.
   const double a = one.measured.overlap.deepest;
   const double b = other.measured.overlap.deepest;
-  const double thickness = std::max(one.measured.overlap.thickness, other.measured.overlap.thickness);
   const double ofOne = a > 0.0 ? a : b;
   const double ofOther = b > 0.0 ? b : a;
-  if (isClash(ofOne, thickness, fits, word)) refuseClash(bounds.one);
-  if (isClash(ofOther, thickness, fits, word)) refuseClash(bounds.other);
-  bounds.depth = inMicrometresUp(std::min(ofOne, ofOther));
   const double off =
       kTouchingSurfaces + spacing + std::max(bounds.one.largest.deflection, bounds.other.largest.deflection);
+  const RoundOverlap round = roundOverlap(one.body, other.body);
+  // A shaft in a hole is as thick as its diameter, wherever the deepest point is. A thread is no clash.
+  const bool isRound = std::max(ofOne, ofOther) <= off + round.depth;
+  const double thickness =
+      std::max({one.measured.overlap.thickness, other.measured.overlap.thickness, isRound ? 2.0 * round.radius : 0.0});
+  const bool isThread = isRound && isCoreOfThread(round.radius, round.depth);
+  if (!isThread && isClash(ofOne, thickness, fits, word)) refuseClash(bounds.one);
+  if (!isThread && isClash(ofOther, thickness, fits, word)) refuseClash(bounds.other);
+  bounds.depth = inMicrometresUp(std::min(ofOne, ofOther));
   const bool isStated = word != nullptr && (word->allowance || !word->kind.empty() || word->accepted);
-  bounds.isPlainOverlap = !isStated && bounds.depth > off + roundOverlap(one.body, other.body);
+  bounds.isPlainOverlap = !isStated && bounds.depth > off + round.depth;
   bounds.isRefused = bounds.one.most <= 0.0 && bounds.other.most <= 0.0 &&
                      (bounds.one.isClash || bounds.other.isClash) && !fits.accepts(word, bounds.depth);
   return bounds;

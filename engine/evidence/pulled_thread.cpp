@@ -7,6 +7,7 @@
 
 #include "engine/evidence/crests.h"
 #include "engine/evidence/thread.h"
+#include "engine/geometry/thread_standards.h"
 
 namespace glissade::evidence {
 namespace {
@@ -17,15 +18,16 @@ constexpr double kFullTurn = 2.0 * std::numbers::pi;
 /// Turn from which the pitch is computed, radians.
 constexpr double kEnoughTurn = 0.01;
 /// Largest pitch of a turn, in diameters of the shaft: a steeper motion is a pull with a turn. Screws for wood have
-/// 0.45.
+/// 0.45. The lead of a modelled helix may be larger.
 constexpr double kSteepest = 0.5;
+constexpr double kLeadOff = 0.1;
 
 /// Difference below which radii are equal, metres.
 constexpr double kLeastPressed = 5e-7;
 
 bool isDeepAsThread(const CommonThread& pair, double overlap) {
-  return pair.depth > kLeastThreadDepth * pair.radius && pair.depth < kMostThreadDepth * pair.radius &&
-         overlap >= 0.5 * pair.depth;
+  const bool isDeep = pair.depth > kLeastThreadDepth * pair.radius || isCoreOfThread(pair.radius, pair.depth);
+  return isDeep && pair.depth < kMostThreadDepth * pair.radius && overlap >= 0.5 * pair.depth;
 }
 
 bool isEngagedAfter(const CommonThread& thread, double advance) {
@@ -56,7 +58,7 @@ bool isOfSize(const DrawnCrests& crests, const std::optional<double>& size) {
 /// Crests of the one that go into a round wall of the other one.
 class ModelledThreads {
  public:
-  explicit ModelledThreads(const LeavingPair& pair) : pair_(pair) {}
+  ModelledThreads(const LeavingPair& pair, const StopToken& stop) : pair_(pair), stop_(stop) {}
 
   std::vector<CommonThread> find() {
     for (const RoundFace& wall : pair_.other.rounds) add(wall, pair_.moving, pair_.sizeOfMoving, true);
@@ -66,8 +68,9 @@ class ModelledThreads {
 
  private:
   void add(const RoundFace& wall, const PlacedBody& crested, const std::optional<double>& size, bool movingHasCrests) {
-    const auto crests = crestsInto(wall, crested.mesh);
-    if (!crests || (crests->pitch == 0.0 && !isOfSize(*crests, size))) return;
+    if (stop_.stopRequested()) return;
+    const auto crests = crestsInto(wall, crested.mesh, stop_);
+    if (!crests || (crests->lead == 0.0 && !isOfSize(*crests, size))) return;
     const double shaft = std::max(crests->radius, wall.radius);
     const double depth = std::abs(crests->radius - wall.radius);
     if (pair_.overlap < 0.5 * depth) return;
@@ -76,16 +79,13 @@ class ModelledThreads {
     const auto& own = movingHasCrests ? ofCrests : ofWall;
     const auto& other = movingHasCrests ? ofWall : ofCrests;
     threads_.push_back({crests->point, wall.axis, depth, shaft, own.first, own.second, other.first, other.second,
-                        movingHasCrests != wall.isShaft, crests->pitch});
+                        movingHasCrests != wall.isShaft, crests->lead});
   }
 
   const LeavingPair& pair_;
+  const StopToken& stop_;
   std::vector<CommonThread> threads_;
 };
-
-std::vector<CommonThread> modelledThreads(const LeavingPair& pair) {
-  return pair.overlap > 0.0 ? ModelledThreads(pair).find() : std::vector<CommonThread>();
-}
 
 /// Follows the motion about the axis of a thread until it is free.
 class TurnOut {
@@ -110,7 +110,10 @@ class TurnOut {
   double pitch() const { return (isRight_ ? 1.0 : -1.0) * pitch_.value_or(0.0); }
 
  private:
-  bool isTooSteep() const { return pitch_.value_or(0.0) > kSteepest * 2.0 * thread_.radius; }
+  bool isTooSteep() const {
+    const double steepest = std::max(kSteepest * 2.0 * thread_.radius, (1.0 + kLeadOff) * std::abs(thread_.pitch));
+    return pitch_.value_or(0.0) > steepest;
+  }
 
   /// True if the edge turns about the axis by the pitch.
   bool follow(const Pose& from, const Pose& to) {
@@ -141,12 +144,18 @@ class TurnOut {
 
 }  // namespace
 
-double roundOverlap(const PlacedBody& one, const PlacedBody& other) {
-  double most = 0.0;
+bool isCoreOfThread(double radius, double depth) {
+  constexpr double kMostPressed = 0.35e-3;
+  return depth > kMostPressed && pitchOfCore(2.0 * radius, depth) > 0.0;
+}
+
+RoundOverlap roundOverlap(const PlacedBody& one, const PlacedBody& other) {
+  RoundOverlap most;
   for (const RoundFace& own : one.rounds) {
     for (const RoundFace& others : other.rounds) {
       const auto round = aroundEachOther(own, others);
-      if (round && round->depth < kMostThreadDepth * round->radius) most = std::max(most, round->depth);
+      if (!round || round->depth >= kMostThreadDepth * round->radius || round->depth <= most.depth) continue;
+      most = {round->depth, round->radius};
     }
   }
   return most;
@@ -154,12 +163,13 @@ double roundOverlap(const PlacedBody& one, const PlacedBody& other) {
 
 /// The threads that are modelled. If there is none, the shafts that are too thick for their holes. If there is none
 /// either and the file calls the pair a thread, the closest shaft and hole.
-std::vector<CommonThread> commonThreads(const LeavingPair& pair) {
+std::vector<CommonThread> commonThreads(const LeavingPair& pair, const StopToken& stop) {
   if (const ScrewInSolid* screw = pair.inSolid) {
     const bool isShaft = true;
     return {{screw->point, screw->axis, 0.0, screw->radius, screw->low, screw->high, screw->low, screw->high, isShaft}};
   }
-  std::vector<CommonThread> threads = modelledThreads(pair);
+  std::vector<CommonThread> threads;
+  if (pair.overlap > 0.0) threads = ModelledThreads(pair, stop).find();
   if (!threads.empty()) return threads;
   std::optional<CommonThread> closest;
   for (const RoundFace& own : pair.moving.rounds) {
@@ -187,7 +197,8 @@ bool isPressedIn(const PlacedBody& one, const PlacedBody& other) {
   for (const RoundFace& own : one.rounds) {
     for (const RoundFace& hole : other.rounds) {
       const auto pair = aroundEachOther(own, hole);
-      if (pair && pair->depth > kLeastPressed && pair->depth <= kLeastThreadDepth * pair->radius) return true;
+      const bool isTight = pair && pair->depth > kLeastPressed && pair->depth <= kLeastThreadDepth * pair->radius;
+      if (isTight && !isCoreOfThread(pair->radius, pair->depth)) return true;
     }
   }
   return false;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/base/message.h"
+#include "engine/base/stop_token.h"
 #include "engine/evidence/named_screw.h"
 #include "engine/evidence/placed_body.h"
 
@@ -42,11 +43,16 @@ struct CommonThread {
 inline constexpr double kLeastThreadDepth = 0.05;
 inline constexpr double kMostThreadDepth = 0.3;
 
+/// True if the core of a standard thread is this much thinner than a shaft of this radius, metres: the hole is drawn as
+/// the core. Fine threads of large diameters are less deep than kLeastThreadDepth. What is pressed in is not thicker by
+/// more than a third of a millimetre.
+bool isCoreOfThread(double radius, double depth);
+
 /// The threads that the pair has in common, which come apart by turning: a shaft of the one in a hole of the other,
 /// with all of the hole's wall in the shaft; crests of a modelled helix that go into the wall of the other one; and
 /// crests that are rings, where a name says that the body is a screw of this size. The one definition of what may not
-/// be pulled: planners ask for it while they make a motion, and the judge when it judges one.
-std::vector<CommonThread> commonThreads(const LeavingPair& pair);
+/// be pulled: planners ask for it while they make a motion, and the judge when it judges one. Not all after a stop.
+std::vector<CommonThread> commonThreads(const LeavingPair& pair, const StopToken& stop = {});
 
 /// Describes how much of the threads a motion pulls instead of turning the body off, for people; empty: nothing. While
 /// the two cylinders are engaged, the body turns about the axis and advances by the same pitch in each turn. The last
@@ -65,8 +71,11 @@ struct TurnedThread {
 };
 std::vector<TurnedThread> turnedThreads(const std::vector<CommonThread>& threads, const std::vector<Pose>& path);
 
-/// Largest excess, metres, of a shaft of one body over a hole of the other that contains it, if it can be a thread or a
-/// press fit; else 0.
-double roundOverlap(const PlacedBody& one, const PlacedBody& other);
+/// A shaft of one body in a hole of the other one that is narrower by what can be a thread or a press fit.
+struct RoundOverlap {
+  double depth = 0.0;   ///< the largest excess of a shaft, metres; 0: there is none
+  double radius = 0.0;  ///< of that shaft
+};
+RoundOverlap roundOverlap(const PlacedBody& one, const PlacedBody& other);
 
 }  // namespace glissade::evidence

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "engine/evidence/crests.h"
+#include "engine/evidence/crest_helix.h"
 #include "engine/evidence/evidence.h"
 #include "engine/evidence/round_faces.h"
 #include "engine/evidence/thread.h"
@@ -120,8 +120,8 @@ Result<ThreadCore> threadCoreOf(const PlacedBody& shaft, const PlacedBody& hole,
   const std::vector<Around> crests = crestsOf(vertices, *thread, claim);
   if (!ringAround(crests, {claim.crest - vertexTolerance(claim.crest), claim.crest}))
     return refused(GLISSADE_TEXT("the crests are not around the axis that the file states"));
-  if (!areHelix(crests, claim.pitch))
-    return refused(GLISSADE_TEXT("the shaft has no helix of the pitch that the file states"));
+  const auto helix = helixOfLead(crests, claim.pitch);
+  if (!helix) return refused(GLISSADE_TEXT("the shaft has no helix of the pitch that the file states"));
   const Span taken = toTheEnds(*thread, vertices, std::abs(claim.pitch));
   ThreadCore core{claim.point, claim.axis, taken.low, taken.high};
   core.crest = claim.crest + vertexTolerance(claim.crest);
@@ -131,7 +131,7 @@ Result<ThreadCore> threadCoreOf(const PlacedBody& shaft, const PlacedBody& hole,
                 kThreadPlay * std::abs(claim.pitch);
   core.radius = free - core.spacing - core.margin;
   const double deep = claim.crest - core.radius;
-  const double most = std::min(kSharpThread * std::abs(claim.pitch), kDeepest * 2.0 * claim.crest);
+  const double most = std::min(kSharpThread * std::abs(helix->pitch()), kDeepest * 2.0 * claim.crest);
   if (core.radius > 0.0 && deep > 0.0 && deep <= most) return core;
   return refused(GLISSADE_TEXT("what of the shaft is wider than the hole is no thread of this pitch"));
 }

@@ -37,7 +37,7 @@ struct ThreadCore {
 struct ClaimedThread {
   Vector3 point = Vector3::Zero();
   Vector3 axis = Vector3::UnitZ();
-  double pitch = 0.0;
+  double pitch = 0.0;  ///< metres a turn
   double crest = 0.0;  ///< radius, metres
 };
 
@@ -45,8 +45,9 @@ struct ClaimedThread {
 /// - a ring of vertices of the hole is around the axis, and so are vertices of the shaft at the crest's radius;
 /// - the shaft has grooves as narrow as the free radius of the hole; the thread extends while no gap between them has a
 /// pitch;
-/// - the crests are a helix of one start about the axis with this pitch, to three percent;
-/// - the crest is beyond the core by no more than a sharp thread of this pitch is deep, and no more than 0.15 of the
+/// - the crests are a helix about the axis with this pitch, to three percent, of one start or several;
+/// - the crest is beyond the core by no more than a sharp thread with as much between its crests is deep, and no more
+/// than 0.15 of the
 ///   diameter.
 /// Errors state which claim fails.
 Result<ThreadCore> threadCoreOf(const PlacedBody& shaft, const PlacedBody& hole, ClaimedThread claim);

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "engine/evidence/pulled_thread.h"
 #include "engine/fits/region_pair.h"
 #include "engine/fits/thread_pitch.h"
 #include "engine/geometry/triangle_pair.h"
@@ -282,7 +283,8 @@ class PairExaminer {
   }
 
   void setOverlap(ContactKind kind, double overlap, double uncertainty) {
-    const bool large = overlap > limits_.clashOverlap || overlap > limits_.clashThickness * thickness_;
+    const bool isThread = kind == ContactKind::Thread && evidence::isCoreOfThread(0.5 * thickness_, overlap);
+    const bool large = !isThread && (overlap > limits_.clashOverlap || overlap > limits_.clashThickness * thickness_);
     set(large ? ContactKind::Clash : kind, 0.0, uncertainty);
     contact_->overlap = overlap;
     contact_->thickness = std::isfinite(thickness_) ? thickness_ : 0.0;

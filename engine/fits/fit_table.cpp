@@ -75,7 +75,8 @@ Result<FitTable> FitTable::find(const AssembledProduct& product, ThreadTeam& tea
   const std::vector<Contact> contacts = findContacts(contactBodiesOf(product), limits, forContacts).contacts;
   table.prepared_ = std::make_shared<PreparedBodies>(product.bodies);
   FitTools tools;
-  tools.prepared = table.prepared_;
+  // Each body that is taken thinner is asked about once or twice.
+  tools.prepared = std::make_shared<PreparedBodies>(product.bodies, BoxCare::ForFewQueries);
   std::vector<Result<ObjectFits>> objects(product.bodies.size(), ObjectFits());
   PartCount done(watch.part(kContactsShare, 1.0), objects.size());
   team.run(objects.size(), [&](std::size_t body) {

@@ -27,8 +27,8 @@ bool JudgedThreads::mayBePulled(std::size_t body, std::size_t other, const std::
   return !placed_.boundsOf({own, own.X_WB}, {obstacle, obstacle.X_WB}, strict, nullptr, {}).refused().empty();
 }
 
-std::vector<evidence::CommonThread> JudgedThreads::of(std::size_t body, std::size_t other,
-                                                      const std::vector<Fit>& fits) {
+std::vector<evidence::CommonThread> JudgedThreads::of(std::size_t body, std::size_t other, const std::vector<Fit>& fits,
+                                                      const StopToken& stop) {
   double overlap = 0.0;
   bool isCalledThread = false;
   for (const Fit& fit : fits) {
@@ -39,9 +39,10 @@ std::vector<evidence::CommonThread> JudgedThreads::of(std::size_t body, std::siz
   if ((overlap <= 0.0 && !isCalledThread) || mayBePulled(body, other, fits)) return {};
   const evidence::Body own = bodyAt(body);
   const evidence::Body obstacle = bodyAt(other);
-  return evidence::commonThreads({placed_.at({own, own.X_WB}), placed_.at({obstacle, obstacle.X_WB}), overlap,
-                                  isCalledThread, nullptr, evidence::screwSizeIn(own.name),
-                                  evidence::screwSizeIn(obstacle.name)});
+  return evidence::commonThreads(
+      {placed_.at({own, own.X_WB}), placed_.at({obstacle, obstacle.X_WB}), overlap, isCalledThread, nullptr,
+       evidence::screwSizeIn(own.name), evidence::screwSizeIn(obstacle.name)},
+      stop);
 }
 
 }  // namespace glissade

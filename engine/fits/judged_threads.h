@@ -18,9 +18,10 @@ class JudgedThreads {
 
   /// Threads that the body leaves by turning only, because the judge refuses a pull. None for a pair without an overlap
   /// that no fit calls a thread, for a marked thread, if a person states that they come apart otherwise, for a hollow
-  /// pair that would be refused without acceptance, and for meshes without stated faces. `fits`: of the moving body
-  /// with the other body.
-  std::vector<evidence::CommonThread> of(std::size_t body, std::size_t other, const std::vector<Fit>& fits);
+  /// pair that would be refused without acceptance, and for meshes without stated faces. Not all after a stop. `fits`:
+  /// of the moving body with the other body.
+  std::vector<evidence::CommonThread> of(std::size_t body, std::size_t other, const std::vector<Fit>& fits,
+                                         const StopToken& stop);
 
  private:
   evidence::Body bodyAt(std::size_t index) const;

@@ -28,8 +28,12 @@ constexpr double kMostExcess = 1.5e-3;
 constexpr double kPressedShare = 0.2;
 constexpr double kFittedShare = 0.4;
 constexpr double kHostReach = 1.6;
-/// Least ratio of the host's radius to that of its guest.
-constexpr double kThickerHost = 1.02;
+/// The host extends beyond its guest by so many times what the triangles of both may be off, or, where no file states
+/// that, by this share of the guest's radius.
+constexpr double kBeyondDeflections = 2.0;
+constexpr double kThickerHost = 0.02;
+/// Share of the radius up to which the cylinders of guest and hole are compared.
+constexpr double kComparedCylinders = 2.0 * kClearPress;
 /// Least ratio of the host's hole to that of its guest.
 constexpr double kLeastOfBore = 0.9;
 constexpr double kLeastHostAround = 0.6;
@@ -148,6 +152,7 @@ class PressedJointFinder {
     fit.high = shape.low;
     const AxisLine seen = shapes_.seenFrom(host, axis);
     const double leastAround = isInsertByName_[guest] ? kLeastNamedAround : kLeastHostAround;
+    const double beyond = beyondGuest(host, guest, shape.outer);
     double unsure = 0.0;
     for (const AxialSlab& slab :
          shapes_.axial(host).slabsAbout(seen, {shape.low, shape.high, kHostReach * shape.outer})) {
@@ -155,7 +160,7 @@ class PressedJointFinder {
       if (slab.surroundedShare() < leastAround && !(slab.isSolid && slab.surroundedShare() == 0.0)) continue;
       const bool isIn = slab.isSolid && (slab.surroundedShare() == 0.0 || slab.nearestAt(0.3) > outer);
       const double hole = slab.isSolid ? (isIn ? 0.0 : kHostReach * shape.outer) : slab.nearestAt(0.9);
-      const bool isAround = slab.isSolid || shareBeyond(slab, kThickerHost * outer) >= leastAround;
+      const bool isAround = slab.isSolid || shareBeyond(slab, outer + beyond) >= leastAround;
       if (!isAround || hole > (1.0 + kClearPress) * outer) continue;
       const bool isOver = hole < (1.0 - kClearPress) * outer;
       if (outer - hole > kMostExcess && !isInsertByName_[guest]) continue;
@@ -175,6 +180,12 @@ class PressedJointFinder {
     return fit;
   }
 
+  double beyondGuest(std::size_t host, std::size_t guest, double outer) const {
+    const std::vector<double>& deflections = shapes_.product().deflections;
+    const double off = kBeyondDeflections * (deflections[host] + deflections[guest]);
+    return off > 0.0 ? std::min(off, kThickerHost * outer) : kThickerHost * outer;
+  }
+
   /// True if the host also fills the volume of the guest, not only its hole or its surroundings.
   bool isFilled(std::size_t host, const AxisLine& seen, const AxialSlab& slab, double radius) const {
     constexpr double kFilledShare = 0.3;
@@ -183,7 +194,7 @@ class PressedJointFinder {
 
   /// Compares the coaxial cylinders of both that are beside each other, exactly.
   void compareCylinders(std::size_t host, std::size_t guest, double length, HostFit& fit) const {
-    double least = kClearPress * shapes_.turned(guest)->outer;
+    double least = kComparedCylinders * shapes_.turned(guest)->outer;
     for (const CylinderRegion& shaft : shapes_.cylindersOf(guest)) {
       if (!shaft.shaft) continue;
       const AxisLine axis{shaft.point, shaft.direction};

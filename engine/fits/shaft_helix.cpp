@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/evidence/crest_helix.h"
 #include "engine/fits/thread_pitch.h"
 
 namespace glissade {
@@ -25,13 +26,14 @@ struct SectionPhase {
   double phase = 0.0;  ///< direction of the crest, radians, without jumps
 };
 
-std::vector<SectionPhase> phasesOf(const std::vector<AxialSlab>& slabs, double radius) {
+/// The directions of the crests of a thread of so many starts, times the starts.
+std::vector<SectionPhase> phasesOf(const std::vector<AxialSlab>& slabs, double radius, int starts) {
   std::vector<SectionPhase> phases;
   for (const AxialSlab& slab : slabs) {
     double x = 0.0;
     double y = 0.0;
     for (std::size_t i = 0; i < slab.farthest.size(); ++i) {
-      const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / kAxialAngles;
+      const double angle = 2.0 * std::numbers::pi * starts * static_cast<double>(i) / kAxialAngles;
       x += slab.farthest[i] * std::cos(angle);
       y += slab.farthest[i] * std::sin(angle);
     }
@@ -47,7 +49,7 @@ std::vector<SectionPhase> phasesOf(const std::vector<AxialSlab>& slabs, double r
   return phases;
 }
 
-/// Turn in radians a metre, by least squares; 0 if it is not uniform.
+/// Turn of the phases in radians a metre, by least squares; 0 if it is not uniform.
 double evenTurn(const std::vector<SectionPhase>& phases) {
   double height = 0.0;
   double phase = 0.0;
@@ -80,13 +82,17 @@ std::optional<double> modelledPitch(const AxialMesh& screw, const TurnedShape& s
   const double half = 0.5 * std::min(kLookedAt * shape.shaft, 0.6 * length);
   const auto slabs = screw.slabsAbout(shape.axis, {middle - half, middle + half, 1.2 * shape.shaft});
   if (slabs.size() < kFewestSections) return std::nullopt;
-  const auto phases = phasesOf(slabs, shape.shaft);
-  if (phases.size() < kFewestSections) return std::nullopt;
-  const double slope = evenTurn(phases);
-  if (std::abs(slope) * 2.0 * half < kFewestTurns * 2.0 * std::numbers::pi) return std::nullopt;
-  const double pitch = 2.0 * std::numbers::pi / slope;
-  const double standard = std::copysign(isoCoarsePitch(shape.shaft).pitch, pitch);
-  return std::abs(pitch - standard) < kStandardShare * std::abs(standard) ? standard : pitch;
+  for (int starts = 1; starts <= evidence::kMostStarts; ++starts) {
+    const auto phases = phasesOf(slabs, shape.shaft, starts);
+    if (phases.size() < kFewestSections) continue;
+    const double slope = evenTurn(phases);
+    if (std::abs(slope) * 2.0 * half < kFewestTurns * 2.0 * std::numbers::pi) continue;
+    const double pitch = 2.0 * std::numbers::pi / slope;
+    if (std::abs(starts * pitch) > evidence::kMostLead * 2.0 * shape.shaft) continue;
+    const double standard = std::copysign(isoCoarsePitch(shape.shaft).pitch, pitch);
+    return starts * (std::abs(pitch - standard) < kStandardShare * std::abs(standard) ? standard : pitch);
+  }
+  return std::nullopt;
 }
 
 }  // namespace glissade

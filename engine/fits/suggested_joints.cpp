@@ -78,9 +78,9 @@ bool endsWith(const std::string& text, std::string_view end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-/// German compounds are one word: the end of a word counts from five letters on.
+/// Also in the plural. German compounds are one word: the end of a word counts from five letters on.
 bool isLastWord(const std::string& word, std::string_view hint) {
-  return word == hint || (hint.size() >= 5 && endsWith(word, hint));
+  return word == hint || word == std::string(hint) + "s" || (hint.size() >= 5 && endsWith(word, hint));
 }
 
 /// A retaining ring or a snap ring. It is opened to come out of its groove, by more than hooks bend.

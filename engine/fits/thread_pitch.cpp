@@ -15,9 +15,6 @@ constexpr double kNominalShare = 0.04;
 /// Shares of the shaft's radius, and of the coarse pitch: a smaller excess is pressed in.
 constexpr double kLeastDepth = 0.02;
 constexpr double kLeastDepthInPitches = 0.13;
-/// Depths of drawn threads, in pitches: from a hole of the tap drill to the core of the shaft.
-constexpr double kShallowest = 0.48;
-constexpr double kDeepest = 0.63;
 
 }  // namespace
 
@@ -33,16 +30,14 @@ std::string nominalSize(double diameter) {
 }
 
 double pitchOfDepth(double radius, double depth) {
-  const ThreadSize& nearest = nearestThreadSize(ThreadFamily::Metric, 2.0 * radius);
-  const auto isOf = [&](double pitch) { return depth >= kShallowest * pitch && depth <= kDeepest * pitch; };
-  if (isOf(nearest.pitch)) return nearest.pitch;
-  const auto fine = std::find_if(nearest.finePitches.begin(), nearest.finePitches.end(), isOf);
-  return fine == nearest.finePitches.end() ? nearest.pitch : *fine;
+  const double pitch = pitchOfCore(2.0 * radius, depth);
+  return pitch > 0.0 ? pitch : isoCoarsePitch(radius).pitch;
 }
 
 bool isThreadDepth(double radius, double depth) {
   const double inPitches = kLeastDepthInPitches * isoCoarsePitch(radius).pitch;
-  return depth > kLeastDepth * radius && depth > std::min(inPitches, evidence::kLeastThreadDepth * radius);
+  return (depth > kLeastDepth * radius && depth > std::min(inPitches, evidence::kLeastThreadDepth * radius)) ||
+         evidence::isCoreOfThread(radius, depth);
 }
 
 }  // namespace glissade

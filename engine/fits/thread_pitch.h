@@ -16,14 +16,14 @@ ThreadPitch isoCoarsePitch(double radius);
 /// "M10": the nominal size of a thread of this outer diameter (metres), within 4 %; empty if there is none.
 std::string nominalSize(double diameter);
 
-/// The pitch of a metric thread whose hole is drawn as its core: a fine one of the nominal diameter if the radial depth
-/// is that of a fine thread and of no coarse one, else the coarse one. `radius`: radius of the shaft; metres.
+/// The pitch of a thread whose hole is drawn as its core (pitchOfCore()), else the coarse one. `radius`: radius of the
+/// shaft; metres.
 double pitchOfDepth(double radius, double depth);
 
 /// True if a shaft that is drawn thicker than its hole by this radial depth has a thread in it; else it is pressed in.
 /// Threads of a coarse pitch are 0.54 pitches deep, those of the finest pitches of ISO 261 more than 0.13 coarse ones.
-/// A pair that the judge does not permit to be pulled (evidence::kLeastThreadDepth) also has a thread. `radius`: radius
-/// of the shaft; metres.
+/// A pair that the judge does not permit to be pulled (evidence::kLeastThreadDepth, evidence::isCoreOfThread()) also has a
+/// thread. `radius`: radius of the shaft; metres.
 bool isThreadDepth(double radius, double depth);
 
 }  // namespace glissade

@@ -15,7 +15,7 @@ namespace {
 
 /// Largest distance of coaxial axes, in radii of the shaft.
 constexpr double kOneAxisShare = 0.02;
-/// Least engaged length of a thread, in radii of the shaft.
+/// Least engaged length of a thread: in radii of the shaft, or a pitch if that is less, as for wide caps.
 constexpr double kLeastThreadLength = 0.15;
 /// Share of the directions in which both bodies have to fill the volume between hole and shaft.
 constexpr double kLeastFilled = 0.5;
@@ -51,6 +51,8 @@ struct DrawnThread {
 
   Span engaged() const { return {std::max(ofShaft.low, ofHole.low), std::min(ofShaft.high, ofHole.high)}; }
   double depth() const { return shaft - hole; }
+  /// Metres a turn: that of the helix, else that of the depth.
+  double turned() const { return pitch != 0.0 ? pitch : pitchOfDepth(shaft, depth()); }
 };
 
 /// Makes the joint of a thread: the body that turns, and its exit direction.
@@ -73,7 +75,7 @@ class ThreadJointMaker {
     JointThread& turned = joint.thread.emplace();
     turned.diameter = 2.0 * thread.shaft;
     turned.isPitchStated = thread.pitch != 0.0;
-    turned.pitch = turned.isPitchStated ? thread.pitch : pitchOfDepth(thread.shaft, thread.depth());
+    turned.pitch = thread.turned();
     turned.engaged = thread.engaged().length();
     turned.travel = isUp ? thread.ofHole.high - thread.ofShaft.low : thread.ofShaft.high - thread.ofHole.low;
     if (const auto flats = turnsShaft ? shaftFlats : holeFlats) {
@@ -191,13 +193,13 @@ class ThreadedPartFinder {
                                       const CylinderRegion& hole) const {
     const double depth = shaft.radius - hole.radius;
     const ContactLimits limits;
-    const bool isClash = depth > limits.clashOverlap || depth > limits.clashThickness * 2.0 * shaft.radius;
+    const bool isLarge = depth > limits.clashOverlap || depth > limits.clashThickness * 2.0 * shaft.radius;
+    const bool isClash = isLarge && !evidence::isCoreOfThread(shaft.radius, depth);
     if (isClash || !isThreadDepth(shaft.radius, depth)) return std::nullopt;
     const AxisLine axis{shaft.point, shaft.direction};
     if (!isSameAxis(axis, {hole.point, hole.direction}, kOneAxisShare * shaft.radius)) return std::nullopt;
     DrawnThread thread{shaftBody, holeBody, axis, shaft.radius, hole.radius, spanOf(shaft, axis), spanOf(hole, axis)};
-    const bool isEngaged = thread.engaged().length() >= kLeastThreadLength * shaft.radius;
-    if (!isEngaged || !isFilledBy(shaftBody, thread) || !isFilledBy(holeBody, thread)) return std::nullopt;
+    if (!isEngaged(thread) || !isFilledBy(shaftBody, thread) || !isFilledBy(holeBody, thread)) return std::nullopt;
     return thread;
   }
 
@@ -215,16 +217,20 @@ class ThreadedPartFinder {
       }
       const evidence::RoundFace face{wall.point, wall.direction, wall.radius, wall.shaft, wall.low, wall.high};
       const auto crests = evidence::crestsInto(face, inWorld, stop_);
-      if (!crests || crests->pitch == 0.0) continue;
+      if (!crests || crests->lead == 0.0) continue;
       const Span ofCrests{crests->low, crests->high};
       const Span ofWall{wall.low, wall.high};
       DrawnThread thread{wall.shaft ? other : crested,          wall.shaft ? crested : other,
                          {crests->point, wall.direction},       std::max(wall.radius, crests->radius),
                          std::min(wall.radius, crests->radius), wall.shaft ? ofWall : ofCrests,
-                         wall.shaft ? ofCrests : ofWall,        crests->pitch};
-      if (thread.engaged().length() >= kLeastThreadLength * thread.shaft) return thread;
+                         wall.shaft ? ofCrests : ofWall,        crests->lead};
+      if (isEngaged(thread)) return thread;
     }
     return std::nullopt;
+  }
+
+  static bool isEngaged(const DrawnThread& thread) {
+    return thread.engaged().length() >= std::min(kLeastThreadLength * thread.shaft, std::abs(thread.turned()));
   }
 
   /// Between hole and shaft. A tube in a tube that is inside out is no thread.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <sstream>
 
 namespace glissade {
@@ -150,6 +151,19 @@ constexpr std::array<std::pair<double, double>, 16> kWood{{{1.6, 0.8},
                                                            {16.0, 6.0},
                                                            {20.0, 7.0}}};
 
+/// A fine pitch of ISO 261 for large diameters, millimetres.
+struct FineOfLarge {
+  double pitch;
+  double least;  ///< diameter
+  double most;
+};
+constexpr std::array<FineOfLarge, 6> kFineOfLarge{{{6.0, 70.0, 600.0},
+                                                   {4.0, 42.0, 300.0},
+                                                   {3.0, 30.0, 250.0},
+                                                   {2.0, 24.0, 150.0},
+                                                   {1.5, 24.0, 80.0},
+                                                   {1.0, 24.0, 30.0}}};
+
 std::string named(const char* before, double size) {
   std::ostringstream name;
   name.imbue(std::locale::classic());
@@ -230,6 +244,39 @@ const ThreadSize& nearestThreadSize(ThreadFamily family, double diameter) {
   return *std::min_element(sizes.begin(), sizes.end(), [&](const ThreadSize& one, const ThreadSize& other) {
     return std::abs(one.diameter - diameter) < std::abs(other.diameter - diameter);
   });
+}
+
+std::vector<double> metricPitches(double diameter) {
+  constexpr double kNominalShare = 0.04;
+  std::vector<double> pitches;
+  const ThreadSize& nearest = nearestThreadSize(ThreadFamily::Metric, diameter);
+  if (std::abs(diameter - nearest.diameter) <= kNominalShare * nearest.diameter) {
+    pitches = nearest.finePitches;
+    pitches.push_back(nearest.pitch);
+  }
+  constexpr double kRounding = 1e-6;
+  for (const auto& [pitch, least, most] : kFineOfLarge) {
+    const bool isIn = diameter >= kMillimetre * least - kRounding && diameter <= kMillimetre * most + kRounding;
+    if (isIn) pitches.push_back(kMillimetre * pitch);
+  }
+  std::sort(pitches.begin(), pitches.end(), std::greater<>());
+  pitches.erase(std::unique(pitches.begin(), pitches.end()), pitches.end());
+  return pitches;
+}
+
+double pitchOfCore(double diameter, double depth) {
+  constexpr double kShallowest = 0.48;
+  constexpr double kDeepest = 0.65;
+  constexpr double kNominalShare = 0.02;
+  std::vector<double> pitches = metricPitches(diameter);
+  const ThreadSize& inch = nearestThreadSize(ThreadFamily::Unified, diameter);
+  if (std::abs(diameter - inch.diameter) <= kNominalShare * inch.diameter) {
+    pitches.push_back(inch.pitch);
+    pitches.insert(pitches.end(), inch.finePitches.begin(), inch.finePitches.end());
+  }
+  const auto suits = [&](double pitch) { return depth >= kShallowest * pitch && depth <= kDeepest * pitch; };
+  const auto found = std::find_if(pitches.begin(), pitches.end(), suits);
+  return found == pitches.end() ? 0.0 : *found;
 }
 
 }  // namespace glissade

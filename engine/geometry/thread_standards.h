@@ -34,4 +34,13 @@ const std::vector<ThreadSize>& threadSizes(ThreadFamily family);
 /// The size of the family that is nearest to a diameter (metres).
 const ThreadSize& nearestThreadSize(ThreadFamily family, double diameter);
 
+/// The pitches of metric threads of an outer diameter: those of its size, within 4 %, and the fine pitches that ISO 261
+/// has for large diameters of any size. Metres; the largest first.
+std::vector<double> metricPitches(double diameter);
+
+/// The pitch of the standard thread of 60 degrees of an outer diameter whose core is this much thinner, as a difference
+/// of radii: from a hole of the tap drill to the core of the shaft. Metric threads count before unified ones, and
+/// coarse ones before fine ones; 0: there is none. Metres.
+double pitchOfCore(double diameter, double depth);
+
 }  // namespace glissade

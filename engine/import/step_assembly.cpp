@@ -64,6 +64,12 @@ std::vector<TopoDS_Shape> rigidShapesOf(const TopoDS_Shape& shape) {
   return shapes;
 }
 
+/// True for the names that OpenCASCADE gives to shapes that the file has no product for.
+bool isKindOfShape(const std::string& name) {
+  constexpr std::array kKinds{"SOLID", "COMPOUND", "COMPSOLID", "SHELL", "FACE", "WIRE", "EDGE", "VERTEX"};
+  return std::find(kKinds.begin(), kKinds.end(), name) != kKinds.end();
+}
+
 class AssemblyWalk {
  public:
   AssemblyWalk(const Handle(XCAFDoc_ShapeTool) & shapes, const Handle(XCAFDoc_ColorTool) & colours,
@@ -85,6 +91,7 @@ class AssemblyWalk {
     for (std::size_t i = 0; i < steps.size(); ++i) {
       const TDF_Label& root = roots.Value(static_cast<int>(i) + 1);
       Place top;
+      top.product = names[i].product;
       top.colour = colourOf(root);
       visit(root, several ? below(top, steps[i]) : top);
     }
@@ -99,6 +106,7 @@ class AssemblyWalk {
     std::string path;
     std::string formerPath;
     std::vector<NodeNames> names;  ///< names of the path's steps
+    std::string product;           ///< name of the product at this place
     TopLoc_Location location;
     OptionalColour colour;
     int depth = 0;
@@ -115,7 +123,7 @@ class AssemblyWalk {
       addSolids(product, place);
       return;
     }
-    const std::vector<Component> components = componentsOf(product);
+    const std::vector<Component> components = componentsOf(product, place.product);
     for (const Component& component : components) {
       Place inside = below(place, component.name);
       inside.location = place.location * XCAFDoc_ShapeTool::GetLocation(component.use);
@@ -132,8 +140,9 @@ class AssemblyWalk {
     NodeStep name;
   };
 
-  /// The step is made of the product's name, which people know; the name of a use is often only a number.
-  std::vector<Component> componentsOf(const TDF_Label& assembly) const {
+  /// The step is made of the product's name, which people know; the name of a use is often only a number. OpenCASCADE
+  /// makes an assembly of a product with several shapes, and calls them "SOLID": they have the name of the product.
+  std::vector<Component> componentsOf(const TDF_Label& assembly, const std::string& product) const {
     TDF_LabelSequence labels;
     XCAFDoc_ShapeTool::GetComponents(assembly, labels);
     std::vector<Component> components;
@@ -148,13 +157,19 @@ class AssemblyWalk {
       former.push_back(asStep(name).empty() ? nameOf(use) : name);
     }
     std::vector<NodeNames> names;
+    std::vector<bool> isUse;
     for (const auto& own : names_.ofUses(assembly, shapes)) {
+      isUse.push_back(own.has_value());
       names.push_back(own.value_or(NodeNames{}));
       // A node without a name gets the name that OpenCASCADE gives to it.
       if (asStep(names.back().product).empty()) names.back().product = printableLine(former[names.size() - 1]);
     }
     const std::vector<NodeStep> steps = stepsFor(names, former);
-    for (std::size_t i = 0; i < steps.size(); ++i) components[i].name = steps[i];
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      components[i].name = steps[i];
+      if (isUse[i] || !isKindOfShape(former[i]) || product.empty()) continue;
+      components[i].name.names.product = product;
+    }
     return components;
   }
 
@@ -163,6 +178,7 @@ class AssemblyWalk {
     inside.path = joinedPath(place.path, name.step);
     inside.formerPath = joinedPath(place.formerPath, name.former);
     inside.names.push_back(name.names);
+    inside.product = name.names.product;
     return inside;
   }
 

@@ -102,7 +102,7 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
   if (!rules) return rules.error();
   const ProductShapes shapes(product);
   const std::vector<FastenerKind> fasteners = fastenersKnown(shapes, fits.contacts(), request.demands);
-  const ThreadDemands threads(product, fits, request.demands);
+  const ThreadDemands threads(product, fits, request.demands, host.stopToken());
   auto found = jointsOf(shapes, request, threads, host.stopToken());
   if (!found) return found.error();
   const JointRules joints(std::move(*found), product, fasteners);

@@ -30,7 +30,8 @@ std::set<BodyPair> partedBy(const std::vector<JointEdit>& edits, const Assembled
 
 }  // namespace
 
-ThreadDemands::ThreadDemands(const AssembledProduct& product, const ProductFits& fits, const SequenceDemands& demands)
+ThreadDemands::ThreadDemands(const AssembledProduct& product, const ProductFits& fits, const SequenceDemands& demands,
+                             const StopToken& stop)
     : product_(product) {
   if (demands.jointUse == JointUse::Off) return;
   JudgedThreads judged(product);
@@ -38,7 +39,7 @@ ThreadDemands::ThreadDemands(const AssembledProduct& product, const ProductFits&
     std::map<std::size_t, std::vector<Fit>> byOther;
     for (const Fit& fit : fits.fitsOf(body)) byOther[fit.obstacle].push_back(fit);
     for (const auto& [other, ofPair] : byOther) {
-      Threads threads = judged.of(body, other, ofPair);
+      Threads threads = judged.of(body, other, ofPair, stop);
       if (!threads.empty()) threads_[{body, other}] = std::move(threads);
     }
   }

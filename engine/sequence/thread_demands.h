@@ -13,14 +13,15 @@
 namespace glissade {
 
 /// The threads that bodies of a product leave by turning only, as the judge demands of every step
-/// (evidence::commonThreads()). Pairs whose joint a person has dissolved or pressed out are left out, and so are all
-/// pairs if the demands use no joints. Immutable, shared by threads.
+/// (evidence::commonThreads()). Pairs whose joint a person has dissolved or pressed out are left out, and so are all pairs
+/// if the demands use no joints. Not all after a stop. Immutable, shared by threads.
 class ThreadDemands {
  public:
   using Threads = std::vector<evidence::CommonThread>;
 
   /// Refers to the product.
-  ThreadDemands(const AssembledProduct& product, const ProductFits& fits, const SequenceDemands& demands);
+  ThreadDemands(const AssembledProduct& product, const ProductFits& fits, const SequenceDemands& demands,
+                const StopToken& stop);
 
   /// The threads of the body while it leaves the other body; null: there are none.
   const Threads* of(std::size_t body, std::size_t other) const;

@@ -96,11 +96,11 @@ struct Part {
 /// builders may work at the same time on different ranges.
 class TreeBuilder {
  public:
-  TreeBuilder(std::vector<OwnedTriangle>& triangles, const Vector3& centre, std::size_t mostInALeaf)
+  TreeBuilder(std::vector<OwnedTriangle>& triangles, const Vector3& centre, std::size_t mostInALeaf, BoxCare care)
       : triangles_(triangles),
         centre_(centre),
         mostInALeaf_(mostInALeaf),
-        withCare_(triangles.size() <= kMostFittedWithCare) {}
+        care_(triangles.size() <= kMostFittedWithCare ? care : BoxCare::ForFewQueries) {}
 
   Part partOf(std::size_t first, std::size_t last);
   std::vector<Part> divided(const Part& whole);
@@ -121,7 +121,7 @@ class TreeBuilder {
   std::vector<OwnedTriangle>& triangles_;
   const Vector3& centre_;
   std::size_t mostInALeaf_;
-  bool withCare_;
+  BoxCare care_;
   BoxTreeNodes made_;
   // Corners of the present part; a member, because allocation takes time.
   std::vector<const Triangle*> corners_;
@@ -132,7 +132,7 @@ class TreeBuilder {
 Part TreeBuilder::partOf(std::size_t first, std::size_t last) {
   corners_.clear();
   for (std::size_t i = first; i < last; ++i) corners_.push_back(&triangles_[i].corners);
-  return {first, last, withCare_ ? fitBox(corners_) : fitBoxQuickly(corners_)};
+  return {first, last, care_ == BoxCare::ForManyQueries ? fitBox(corners_) : fitBoxQuickly(corners_)};
 }
 
 void TreeBuilder::fillNode(std::uint32_t node, const std::vector<Part>& parts) {
@@ -159,7 +159,7 @@ void TreeBuilder::buildInThreads(const Part& whole) {
   ThreadTeam team(usableCores() - 1);
   team.run(parts.size(), [&](std::size_t lane) {
     if (parts[lane].size() <= mostInALeaf_) return;
-    TreeBuilder builder(triangles_, centre_, mostInALeaf_);
+    TreeBuilder builder(triangles_, centre_, mostInALeaf_, care_);
     builder.fillNode(builder.made_.addNode(), builder.divided(parts[lane]));
     below[lane] = std::move(builder).takeNodes();
   });
@@ -309,7 +309,7 @@ void BoxTreeNodes::append(const BoxTreeNodes& part) {
   addAll(lowestBody, part.lowestBody);
 }
 
-BoxTree::BoxTree(std::vector<OwnedTriangle> all, std::size_t mostInALeaf) : triangles(std::move(all)) {
+BoxTree::BoxTree(std::vector<OwnedTriangle> all, std::size_t mostInALeaf, BoxCare care) : triangles(std::move(all)) {
   if (empty()) return;
   Box3 box;
   for (const OwnedTriangle& triangle : triangles) {
@@ -319,7 +319,7 @@ BoxTree::BoxTree(std::vector<OwnedTriangle> all, std::size_t mostInALeaf) : tria
   for (const OwnedTriangle& triangle : triangles) {
     for (const Vector3& corner : triangle.corners) reach = std::max(reach, (corner - centre).norm());
   }
-  TreeBuilder builder(triangles, centre, mostInALeaf);
+  TreeBuilder builder(triangles, centre, mostInALeaf, care);
   const Part whole = builder.partOf(0, triangles.size());
   if (triangles.size() <= kMostOfOneThread) {
     builder.build(whole);

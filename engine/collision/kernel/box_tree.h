@@ -36,6 +36,10 @@ struct BoxTreeNodes {
   void append(const BoxTreeNodes& part);
 };
 
+/// How closely the boxes of a tree are fitted: for many queries, or so that the tree is made quickly for a few. The
+/// answers are the same.
+enum class BoxCare { ForManyQueries, ForFewQueries };
+
 /// A wide hierarchy of oriented boxes. A node holds up to eight boxes, each around a node or a leaf of up to four
 /// triangles. A box has the number node * 8 + lane; box 0 contains everything. Bounds are single precision, relative to
 /// `centre`, and conservative with respect to rounding; the triangles themselves are stored in double precision.
@@ -46,7 +50,7 @@ class BoxTree : public BoxTreeNodes {
 
   /// Builds the tree. Large trees are built by several threads, and the boxes of the largest are fitted less closely.
   /// The tree depends on the triangles only.
-  BoxTree(std::vector<OwnedTriangle> triangles, std::size_t mostInALeaf);
+  BoxTree(std::vector<OwnedTriangle> triangles, std::size_t mostInALeaf, BoxCare care = BoxCare::ForManyQueries);
 
   bool empty() const { return triangles.empty(); }
   bool isLeaf(Box box) const { return child[box] < 0; }

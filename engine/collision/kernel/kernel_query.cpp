@@ -112,12 +112,12 @@ double kernelScale(const Box3& box) {
   return size > 0.0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) : 1.0;
 }
 
-std::shared_ptr<const BoxTree> kernelObstacle(const TriangleMesh& mesh, double scale) {
-  return std::make_shared<const BoxTree>(trianglesOf(mesh, scale), kMostInALeafOfObstacles);
+std::shared_ptr<const BoxTree> kernelObstacle(const TriangleMesh& mesh, double scale, BoxCare care) {
+  return std::make_shared<const BoxTree>(trianglesOf(mesh, scale), kMostInALeafOfObstacles, care);
 }
 
-std::shared_ptr<const BoxTree> kernelObject(const TriangleMesh& mesh, double scale) {
-  return std::make_shared<const BoxTree>(trianglesOf(mesh, scale), kMostInALeafOfObject);
+std::shared_ptr<const BoxTree> kernelObject(const TriangleMesh& mesh, double scale, BoxCare care) {
+  return std::make_shared<const BoxTree>(trianglesOf(mesh, scale), kMostInALeafOfObject, care);
 }
 
 KernelGeometry::KernelGeometry(const std::vector<RigidBody>& obstacleBodies, const TriangleMesh& objectMesh)

@@ -28,8 +28,10 @@ struct KernelGeometry {
 /// Scale of the kernel: one over the size of the obstacles, as a power of two.
 double kernelScale(const Box3& obstacles);
 /// The tree of an obstacle in the frame of its mesh. The body has the number 0.
-std::shared_ptr<const BoxTree> kernelObstacle(const TriangleMesh& mesh, double scale);
-std::shared_ptr<const BoxTree> kernelObject(const TriangleMesh& mesh, double scale);
+std::shared_ptr<const BoxTree> kernelObstacle(const TriangleMesh& mesh, double scale,
+                                              BoxCare care = BoxCare::ForManyQueries);
+std::shared_ptr<const BoxTree> kernelObject(const TriangleMesh& mesh, double scale,
+                                            BoxCare care = BoxCare::ForManyQueries);
 
 /// Our own kernel: wide hierarchies that are searched on vector units in single precision, which only excludes pairs.
 /// The remaining pairs are decided in double precision, yes/no queries by exact predicates. So every answer depends on

@@ -278,10 +278,11 @@ TEST(StandardPitch, IsThatOfAStandardThreadOfTheDiameter) {
     double pitch;
     bool isStandard;
   };
-  for (const Row& row : {Row{10.0, 1.5, true}, Row{10.0, 1.25, true}, Row{10.0, 4.9, false}, Row{10.0, 1.9, false},
-                         Row{8.5, 1.5, true}, Row{8.376, 1.5, true}, Row{6.0, 1.5, false}, Row{3.0, 0.5, true},
-                         Row{3.0, 1.5, false}, Row{6.35, 1.27, true}, Row{4.2, 1.4, true}, Row{13.0, 1.75, true},
-                         Row{80.0, 6.0, true}, Row{80.0, 9.0, false}, Row{1.0, 0.25, true}, Row{10.0, -1.5, true}}) {
+  for (const Row& row :
+       {Row{10.0, 1.5, true}, Row{10.0, 1.25, true}, Row{10.0, 4.9, false}, Row{10.0, 1.9, false}, Row{8.5, 1.5, true},
+        Row{8.376, 1.5, true}, Row{6.0, 1.5, false}, Row{3.0, 0.5, true}, Row{3.0, 1.5, false}, Row{6.35, 1.27, true},
+        Row{4.2, 1.4, true}, Row{13.0, 1.75, true}, Row{80.0, 6.0, true}, Row{80.0, 9.0, false}, Row{58.0, 2.0, true},
+        Row{120.0, 2.0, true}, Row{58.0, 0.4, false}, Row{1.0, 0.25, true}, Row{10.0, -1.5, true}}) {
     EXPECT_EQ(check::isStandardPitch(1e-3 * row.diameter, 1e-3 * row.pitch), row.isStandard)
         << row.diameter << " x " << row.pitch;
   }

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numbers>
+
 #include "engine/base/random_stream.h"
 #include "engine/evidence/crests.h"
 #include "tests/engine/check/check_bodies.h"
@@ -147,6 +150,9 @@ TEST(PulledThread, ModelledThreadsAreNotPulledAndOtherReliefsAre) {
         Relieved{"coarse, for plastic", helix(crest, 0.003, 0.0039), true},
         Relieved{"beside its hole", helix(crest, root, 0.0015), true, {}, {2e-4, 1e-4, 0.0}},
         Relieved{"fine", helix(crest, 0.0046, 0.00075), true},
+        Relieved{"of two starts", helix(crest, root, 0.003, 2), true},
+        Relieved{"of four starts, as a lead screw", helix(crest, root, 0.008, 4), true},
+        Relieved{"of three starts, left-handed", helix(crest, root, -0.006, 3), true},
         Relieved{"rings of a screw", rings(crest, root, 0.0015), true, 0.01},
         Relieved{"rings", rings(crest, root, 0.0015), false}, Relieved{"barbs", barbs(crest, root, 0.003), false},
         Relieved{"a knurl along it", straightKnurl(crest, root, 24), false},
@@ -164,12 +170,14 @@ TEST(PulledThread, ModelledThreadsAreNotPulledAndOtherReliefsAre) {
   }
 }
 
-/// The pitch is that of the model; rings state none.
+/// The pitch is that of the model, and for several starts its lead; rings state none.
 TEST(PulledThread, AHelixStatesItsPitchAndItsHand) {
   using namespace glissade::test;
   const PlacedBody boss = Parts::placed(blockMesh(0.0044, 0.03, 0.03, -0.04, -0.002));
-  for (const double pitch : {0.0015, -0.0015, 0.0009, 0.0037}) {
-    const PlacedBody shaft = Parts::placed(groovedShaft(helix(0.005, 0.004, pitch), 0.02, 0.005, ShaftHead::None, 240));
+  for (const auto& [pitch, starts] : {std::pair(0.0015, 1), std::pair(-0.0015, 1), std::pair(0.0009, 1),
+                                      std::pair(0.0037, 1), std::pair(0.003, 2), std::pair(-0.009, 6)}) {
+    const PlacedBody shaft =
+        Parts::placed(groovedShaft(helix(0.005, 0.004, pitch, starts), 0.02, 0.005, ShaftHead::None, 240));
     const std::vector<CommonThread> threads = commonThreads({shaft, boss, 0.0006});
     ASSERT_EQ(threads.size(), 1U) << pitch;
     EXPECT_NEAR(threads[0].pitch, pitch, 0.01 * std::abs(pitch));
@@ -194,7 +202,7 @@ TEST(PulledThread, AFewVerticesAreNoHelix) {
   }
 }
 
-/// The work is bounded: pitches are tried with some of the crests, and a stop ends it.
+/// A stop ends the search.
 TEST(PulledThread, ManyCrestsStateThePitchOfAFew) {
   using namespace glissade::test;
   const RoundFace wall{Vector3::Zero(), Vector3::UnitZ(), 0.0044, false, -0.02, 0.0};
@@ -202,10 +210,53 @@ TEST(PulledThread, ManyCrestsStateThePitchOfAFew) {
     const TriangleMesh shaft = groovedShaft(helix(0.005, 0.004, 0.0015), 0.02, 0.005, ShaftHead::None, directions);
     const auto crests = crestsInto(wall, shaft);
     ASSERT_TRUE(crests) << directions;
-    EXPECT_NEAR(crests->pitch, 0.0015, 1e-5) << directions;
+    EXPECT_NEAR(crests->lead, 0.0015, 1e-5) << directions;
     StopSource source;
     source.requestStop();
     EXPECT_FALSE(crestsInto(wall, shaft, source.token())) << directions;
+  }
+}
+
+/// Helices by their formula, and crests that are none: at random, on rims at random heights, along the axis.
+TEST(CrestHelix, IsFoundWhereItIsAndNowhereElse) {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  RandomStream random(51, "crest helix");
+  const auto sorted = [](std::vector<Around> crests) {
+    std::sort(crests.begin(), crests.end(), [](const Around& a, const Around& b) { return a.height < b.height; });
+    return crests;
+  };
+  for (int round = 0; round < 120; ++round) {
+    const double diameter = random.uniform(0.002, 0.2);
+    const int starts = 1 + round % kMostStarts;
+    const double lead = (round % 2 == 0 ? 1.0 : -1.0) * diameter * random.uniform(0.06, 0.19) * starts;
+    const double length = 2.5 * std::abs(lead);
+    const int inTurn = 12 + round % 36;
+    std::vector<Around> helix;
+    for (int start = 0; start < starts; ++start) {
+      for (int i = 0; i < static_cast<int>(2.5 * inTurn); ++i) {
+        const double turn = (i + 0.3) / inTurn;
+        const double height = std::abs(lead) * (turn - static_cast<double>(start) / starts);
+        helix.push_back({0.5 * diameter, height, std::remainder(kTurn * (lead < 0.0 ? -turn : turn), kTurn)});
+      }
+    }
+    const auto found = helixOf(sorted(helix), diameter);
+    ASSERT_TRUE(found) << round << ": " << starts << " starts, " << lead / diameter << " diameters";
+    EXPECT_EQ(found->starts, starts) << round;
+    EXPECT_NEAR(found->lead, lead, 0.01 * std::abs(lead)) << round;
+    std::vector<Around> scattered;
+    std::vector<Around> rims;
+    std::vector<Around> teeth;
+    for (int i = 0; i < 400; ++i) {
+      const double anywhere = random.uniform(0.0, length);
+      const double angle = random.uniform(-0.5 * kTurn, 0.5 * kTurn);
+      scattered.push_back({0.5 * diameter, anywhere, angle});
+      teeth.push_back({0.5 * diameter, anywhere, kTurn * (i % (8 + round % 20)) / (8 + round % 20)});
+      if (i % 20 != 0) continue;
+      for (int k = 0; k < inTurn; ++k) rims.push_back({0.5 * diameter, anywhere, angle + kTurn * k / inTurn});
+    }
+    EXPECT_FALSE(helixOf(sorted(scattered), diameter)) << round;
+    EXPECT_FALSE(helixOf(sorted(rims), diameter)) << round;
+    EXPECT_FALSE(helixOf(sorted(teeth), diameter)) << round;
   }
 }
 

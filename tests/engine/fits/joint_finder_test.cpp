@@ -204,6 +204,22 @@ TEST(JointFinder, PartsThatAreScrewedTogetherWithoutAScrewAreFound) {
   EXPECT_NEAR(threads[1].thread->travel, 0.006, 1e-4);
 }
 
+/// A disc with a hole in the end of a tube, with less than two turns: M58x1.5, M58x2, M120x2.
+TEST(JointFinder, AWideCapIsScrewedIn) {
+  for (const auto& [diameter, pitch] : {std::pair(0.058, 0.0015), std::pair(0.058, 0.002), std::pair(0.12, 0.002)}) {
+    const double radius = 0.5 * diameter;
+    ProductOfParts parts;
+    parts.add("tube", tubeMesh(circle(radius - 0.5413 * pitch), circle(radius + 0.003), 0.0, 0.02))
+        .add("cap", tubeMesh(circle(0.6 * radius), circle(radius), 0.02 - 1.7 * pitch, 0.02));
+    const Joints joints = findJoints(parts.product());
+    ASSERT_EQ(joints.size(), 1U) << diameter << " x " << pitch;
+    EXPECT_EQ(joints[0].kind, JointKind::Thread);
+    EXPECT_EQ(joints[0].state, JointState::Recognised);
+    EXPECT_EQ(joints[0].body, 1U);
+    EXPECT_DOUBLE_EQ(joints[0].thread->pitch, pitch);
+  }
+}
+
 TEST(JointFinder, WhatIsThickerByLessThanAThreadIsNotScrewedIn) {
   EXPECT_THAT(ofKind(findJoints(heaterBlock(0.0029).product()), JointKind::Thread), IsEmpty()) << "0.1 of 3 mm";
   EXPECT_THAT(ofKind(findJoints(heaterBlock(0.0031).product()), JointKind::Thread), IsEmpty()) << "it is loose";

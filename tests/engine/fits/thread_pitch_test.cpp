@@ -30,6 +30,13 @@ TEST(ThreadPitch, IsAFineOneWhereTheDepthIs) {
   }
   EXPECT_DOUBLE_EQ(pitchOfDepth(0.003, 0.00005), 0.001) << "of no thread";
   EXPECT_TRUE(isThreadDepth(0.029, 0.541 * 0.0015)) << "M58x1.5";
+  for (const auto& [diameter, pitch] : {std::pair(58.0, 2.0), std::pair(120.0, 2.0), std::pair(80.0, 1.5),
+                                        std::pair(200.0, 6.0), std::pair(25.0, 1.0), std::pair(16.0, 2.0)}) {
+    for (const double depth : {0.5, 0.5413, 0.6134}) {  // tap drill, core of the nut, core of the bolt: ISO 68-1
+      EXPECT_DOUBLE_EQ(pitchOfDepth(0.5e-3 * diameter, 1e-3 * depth * pitch), 1e-3 * pitch) << diameter;
+      EXPECT_TRUE(isThreadDepth(0.5e-3 * diameter, 1e-3 * depth * pitch)) << diameter << " x " << pitch;
+    }
+  }
 }
 
 TEST(ThreadPitch, WhatIsThickerByLessThanTheFinestThreadIsPressedIn) {
@@ -38,6 +45,7 @@ TEST(ThreadPitch, WhatIsThickerByLessThanTheFinestThreadIsPressedIn) {
   EXPECT_TRUE(isThreadDepth(0.015, 0.0006)) << "M30x1";
   EXPECT_FALSE(isThreadDepth(0.0024, 0.000075)) << "a horn on the shaft of a servo";
   EXPECT_FALSE(isThreadDepth(0.005, 0.0001)) << "2 % of the radius";
+  EXPECT_FALSE(isThreadDepth(0.03, 0.0003)) << "a bearing in a housing of plastic";
 }
 
 }  // namespace

@@ -65,6 +65,26 @@ auto missing(const std::string& product, const std::string& kind) {
 
 StepText::Product assemblyIn(StepText& text) { return text.part("assembly", ""); }
 
+/// OpenCASCADE makes an assembly of a product with a solid and curves, and calls the solid "SOLID".
+TEST(StepShapes, ASolidBesideCurvesHasTheNameOfItsProduct) {
+  StepText text;
+  StepText::Product assembly = assemblyIn(text);
+  StepText::Product housing = text.part("housing 1", "");
+  const std::string line = text.add("POLYLINE('',(" + text.point({0, 0, 0}) + "," + text.point({5, 0, 0}) + "," +
+                                    text.point({5, 5, 0}) + "))");
+  const std::string curves = text.add("GEOMETRIC_CURVE_SET('Sketch18',(" + line + "))");
+  const auto also = [&](const std::string& representation) {
+    text.add("SHAPE_REPRESENTATION_RELATIONSHIP('',''," + housing.representation + "," + representation + ")");
+  };
+  also(text.representation(text.box({0, 0, 0}, {10, 20, 30}), "FACETED_BREP_SHAPE_REPRESENTATION"));
+  also(text.representation(curves, "GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION"));
+  text.place(assembly, housing, {0, 0, 0});
+  const StepProduct product = imported(text);
+  ASSERT_EQ(product.parts.size(), 1U);
+  ASSERT_FALSE(product.parts[0].names.empty());
+  EXPECT_EQ(product.parts[0].names.back().product, "housing 1") << product.parts[0].path;
+}
+
 TEST(StepShapes, EveryKindWithoutABodyIsNamed) {
   StepText text;
   StepText::Product assembly = assemblyIn(text);
