@@ -92,8 +92,8 @@ TEST_F(StudyRunnerTest, TablesAreTheSameWhateverTheNumberOfJobs) {
   const StudyFolder four = begin("four");
   ASSERT_TRUE(run(one, program(""), 1).ok());
   ASSERT_TRUE(run(four, program("sleep 0.$(($8 % 3))"), 4).ok());
-  ASSERT_TRUE(writeTables(one, warnings).ok());
-  ASSERT_TRUE(writeTables(four, warnings).ok());
+  ASSERT_TRUE(writeTables(one, one.path(), warnings).ok());
+  ASSERT_TRUE(writeTables(four, four.path(), warnings).ok());
   for (const char* table : {"runs.csv", "summary.csv", "summary.json", "plan.json"}) {
     EXPECT_EQ(test::readWhole(one.file(table)), test::readWhole(four.file(table))) << table;
   }
