@@ -22,8 +22,8 @@ double pitchOfDepth(double radius, double depth);
 
 /// True if a shaft that is drawn thicker than its hole by this radial depth has a thread in it; else it is pressed in.
 /// Threads of a coarse pitch are 0.54 pitches deep, those of the finest pitches of ISO 261 more than 0.13 coarse ones.
-/// A pair that the judge does not permit to be pulled (evidence::kLeastThreadDepth, evidence::isCoreOfThread()) also has a
-/// thread. `radius`: radius of the shaft; metres.
+/// A pair that the judge does not permit to be pulled (evidence::kLeastThreadDepth, evidence::isCoreOfThread()) also
+/// has a thread. `radius`: radius of the shaft; metres.
 bool isThreadDepth(double radius, double depth);
 
 }  // namespace glissade

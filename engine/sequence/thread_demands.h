@@ -13,8 +13,8 @@
 namespace glissade {
 
 /// The threads that bodies of a product leave by turning only, as the judge demands of every step
-/// (evidence::commonThreads()). Pairs whose joint a person has dissolved or pressed out are left out, and so are all pairs
-/// if the demands use no joints. Not all after a stop. Immutable, shared by threads.
+/// (evidence::commonThreads()). Pairs whose joint a person has dissolved or pressed out are left out, and so are all
+/// pairs if the demands use no joints. Not all after a stop. Immutable, shared by threads.
 class ThreadDemands {
  public:
   using Threads = std::vector<evidence::CommonThread>;
