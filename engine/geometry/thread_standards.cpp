@@ -151,6 +151,15 @@ constexpr std::array<std::pair<double, double>, 16> kWood{{{1.6, 0.8},
                                                            {16.0, 6.0},
                                                            {20.0, 7.0}}};
 
+/// Deviation of a drawn diameter from a nominal one, metres.
+constexpr double kOffNominal = 1e-4;
+
+/// True if ISO 261 has the diameter: whole millimetres, multiples of five above 80 mm.
+bool isNominal(double diameter) {
+  const double step = kMillimetre * (diameter > 80.5 * kMillimetre ? 5.0 : 1.0);
+  return std::abs(diameter - step * std::round(diameter / step)) <= kOffNominal;
+}
+
 /// A fine pitch of ISO 261 for large diameters, millimetres.
 struct FineOfLarge {
   double pitch;
@@ -254,10 +263,9 @@ std::vector<double> metricPitches(double diameter) {
     pitches = nearest.finePitches;
     pitches.push_back(nearest.pitch);
   }
-  constexpr double kRounding = 1e-6;
   for (const auto& [pitch, least, most] : kFineOfLarge) {
-    const bool isIn = diameter >= kMillimetre * least - kRounding && diameter <= kMillimetre * most + kRounding;
-    if (isIn) pitches.push_back(kMillimetre * pitch);
+    const bool isIn = diameter >= kMillimetre * least - kOffNominal && diameter <= kMillimetre * most + kOffNominal;
+    if (isIn && isNominal(diameter)) pitches.push_back(kMillimetre * pitch);
   }
   std::sort(pitches.begin(), pitches.end(), std::greater<>());
   pitches.erase(std::unique(pitches.begin(), pitches.end()), pitches.end());

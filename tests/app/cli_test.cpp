@@ -282,12 +282,12 @@ TEST_F(Cli, PlanarHolesAreClosedWhereThatIsAskedFor) {
   EXPECT_EQ(Json::parse(run("info " + made + " --json").out)["object"]["closed"], false);
   const Finished closed = run("new " + made + " --moves " + part + " --close-holes");
   EXPECT_EQ(closed.exitCode, 0) << closed.err;
-  EXPECT_NE(closed.err.find("had 1 planar holes, which were closed as asked for; 0 holes"), std::string::npos)
+  EXPECT_NE(closed.err.find("had 1 planar hole, which was closed as asked for; 0 holes"), std::string::npos)
       << closed.err;
   const Finished info = run("info " + made + " --json");
   EXPECT_EQ(Json::parse(info.out)["object"]["closed"], true);
   EXPECT_NEAR(Json::parse(info.out)["object"]["volume_m3"].get<double>(), 2.7e-5, 1e-12);
-  EXPECT_NE(info.err.find("planar holes"), std::string::npos) << "said whenever it is loaded";
+  EXPECT_NE(info.err.find("planar hole"), std::string::npos) << "said whenever it is loaded";
 }
 
 TEST_F(Cli, APathThroughTheWallIsInvalid) {

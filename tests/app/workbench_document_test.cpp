@@ -138,7 +138,7 @@ TEST_F(WorkbenchDocumentTest, EveryChangeIsOneRoundOfThreePhases) {
   std::vector<std::string> rounds;
   record(document, rounds);
   document.open(ScenarioPtr(document.scenario()));
-  EXPECT_EQ(rounds, (std::vector<std::string>{"view 1023", "session 1023", "panels 1023"}));
+  EXPECT_EQ(rounds, (std::vector<std::string>{"view 2047", "session 2047", "panels 2047"}));
   rounds.clear();
   Scenario without = document.current();
   without.attributeDefinitions.clear();

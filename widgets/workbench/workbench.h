@@ -17,7 +17,6 @@ namespace glissade {
 /// Objects that the controllers of the window share. The window owns them; they outlive the controllers.
 struct Workbench {
   WorkbenchDocument& document;
-  std::shared_ptr<ProductFinder> finder;  ///< shared with background work
   SessionBridge& session;
   ShownRun& run;
   SceneWidget& scene;
@@ -27,6 +26,8 @@ struct Workbench {
   ScriptCommands& scripts;
   FileDialogs& dialogs;
   QMainWindow& window;  ///< parent of panels and dialogs
+  /// Shared with background work.
+  std::shared_ptr<ProductFinder> finder = std::make_shared<ProductFinder>();
 
   /// Calls `handler` when the action is triggered, as long as `context` lives.
   template <class Handler>

@@ -203,7 +203,7 @@ TEST(SaveFile, SaysThatOtherNamesKeepTheOldContent) {
   const SaveResult result = saveFile(file, "new");
   ASSERT_TRUE(result);
   ASSERT_EQ(result.warnings.size(), 1U);
-  EXPECT_THAT(toString(result.warnings[0].reason), HasSubstr("1 more names (hard links)"));
+  EXPECT_THAT(toString(result.warnings[0].reason), HasSubstr("1 more name (hard link)"));
   EXPECT_EQ(readWhole(folder / "b.json"), "old");
 }
 

@@ -124,7 +124,7 @@ TEST_P(PathExporterConformance, WhatASaveWarnsOfIsHandedOn) {
   const SaveResult saved = exporter_.write(path_, scenario_, provenance_, file);
   ASSERT_TRUE(saved.ok()) << toString(saved.why);
   ASSERT_EQ(saved.warnings.size(), 1U);
-  EXPECT_THAT(toString(saved.warnings.front().reason), testing::HasSubstr("hard links"));
+  EXPECT_THAT(toString(saved.warnings.front().reason), testing::HasSubstr("hard link"));
 }
 
 TEST_P(PathExporterConformance, AnEmptyPathIsRefused) {
