@@ -168,11 +168,7 @@ void MainWindow::connectActions() {
 }
 
 std::optional<Diagnostic> MainWindow::openScenario(const QString& file, bool quiet) {
-  if (isStudyRunFile(file.toStdString())) {
-    const auto why = studies_->openRun(file);
-    if (why && !quiet) messages_.showError(tr("The run cannot be shown"), *why);
-    return why;
-  }
+  if (isStudyRunFile(file.toStdString())) return studies_->openRun(file, quiet);
   return files_->openScenario(file, quiet, FindFits::LaterIfLarge);
 }
 

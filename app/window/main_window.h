@@ -32,9 +32,8 @@ class MainWindow final : public QMainWindow {
   /// Asks in a modal dialog how to import part files.
   void importParts(const QStringList& files);
   void setTheme(Theme theme);
-  /// Limits the size of the window and arranges its panels in this room.
+  /// Limits the size of the window and arranges its panels in this room, which room() returns.
   void fitInto(const QSize& room) { room_.fit(room); }
-  /// The argument of the last fitInto().
   const QSize& room() const { return room_.room(); }
   /// No person answers questions: scripts, screenshots.
   void setBatch(bool batch);

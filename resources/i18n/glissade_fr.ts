@@ -14318,10 +14318,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <source>Joints</source>
         <translation>Liaisons</translation>
     </message>
-    <message>
-        <source>The run cannot be shown</source>
-        <translation>L&apos;essai ne peut pas être montré</translation>
-    </message>
 </context>
 <context>
     <name>glissade::ManualBrowser</name>

@@ -68,7 +68,7 @@ StudyController::StudyController(const Workbench& bench, FileController& files)
   bench.onAction("study.open-run", this, [this] { chooseRun(); });
   bench.onAction("study.report-pdf", this, [this] { choosePdf(); });
   bench.enable("study.report-pdf", false);
-  connect(&files, &FileController::runOfStudyChosen, this, &StudyController::openRunOrShowError);
+  connect(&files, &FileController::runOfStudyChosen, this, &StudyController::askAndOpenRun);
   connect(&bench.session, &SessionBridge::snapshotChanged, this, &StudyController::watch);
   addStudyCommands(bench, *this);
 }
@@ -81,7 +81,7 @@ void StudyController::choose() {
 void StudyController::chooseRun() {
   const QString file =
       bench_.dialogs.open(FilePurpose::Study, tr("Open a run of a study"), tr("Runs of studies (cell*.json)"));
-  if (!file.isEmpty()) openRunOrShowError(file);
+  if (!file.isEmpty()) askAndOpenRun(file);
 }
 
 void StudyController::choosePdf() {
@@ -119,12 +119,17 @@ std::optional<Diagnostic> StudyController::open(const QString& folder) {
   return std::nullopt;
 }
 
-void StudyController::openRunOrShowError(const QString& file) {
-  if (!files_.mayDiscard()) return;
-  if (const auto why = openRun(file)) bench_.messages.showError(tr("The run cannot be shown"), *why);
+void StudyController::askAndOpenRun(const QString& file) {
+  if (files_.mayDiscard()) openRun(file, false);
 }
 
-std::optional<Diagnostic> StudyController::openRun(const QString& file) {
+std::optional<Diagnostic> StudyController::openRun(const QString& file, bool quiet) {
+  const auto why = startRunOf(file);
+  if (why && !quiet) bench_.messages.showError(tr("The run cannot be shown"), *why);
+  return why;
+}
+
+std::optional<Diagnostic> StudyController::startRunOf(const QString& file) {
   shown_.reset();
   auto opened = openStudyRun(file.toStdString());
   if (!opened) return opened.error();

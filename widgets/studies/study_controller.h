@@ -17,9 +17,9 @@ class StudyController final : public QObject {
 
   /// Writes the page of a folder. Returns the failure, or nothing.
   std::optional<Diagnostic> open(const QString& folder);
-  /// Shows the run of a file runs/cellN-seedM.json again; the status bar says whether it ended in the same way. Returns
-  /// the failure, or nothing.
-  std::optional<Diagnostic> openRun(const QString& file);
+  /// Shows the run of a file runs/cellN-seedM.json again; the status bar says whether it ended in the same way. A
+  /// failure is shown in a dialog unless `quiet`, and returned.
+  std::optional<Diagnostic> openRun(const QString& file, bool quiet = true);
   /// Opens the run's scenario and starts the run with its settings. Returns the failure, or nothing.
   std::optional<Diagnostic> startRun(const StudyFolder& folder, const StudyRun& run);
   /// Whether the started run ended with the same number of nodes as in the study; nothing while it runs, or if the
@@ -32,8 +32,9 @@ class StudyController final : public QObject {
   void choose();
   void chooseRun();
   void choosePdf();
-  /// Opens a run after the question about unsaved edits, and shows a failure in a dialog.
-  void openRunOrShowError(const QString& file);
+  /// Opens a run after the question about unsaved edits.
+  void askAndOpenRun(const QString& file);
+  std::optional<Diagnostic> startRunOf(const QString& file);
   /// Writes the page in the background, then opens it.
   void writeInBackground(const QString& folder, const QString& pdf);
   void showPage(const QString& folder, const QString& page);

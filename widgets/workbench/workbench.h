@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+
 #include "engine/sequence/product_finder.h"
 #include "widgets/controls/action_catalogue.h"
 #include "widgets/document/session_bridge.h"
