@@ -34,8 +34,8 @@ const std::vector<ThreadSize>& threadSizes(ThreadFamily family);
 /// The size of the family that is nearest to a diameter (metres).
 const ThreadSize& nearestThreadSize(ThreadFamily family, double diameter);
 
-/// The pitches of metric threads of an outer diameter: those of its size, within 4 %, and the fine pitches of ISO 261 for
-/// large diameters, if the diameter is a nominal one within 0.1 mm. Metres; the largest first.
+/// The pitches of metric threads of an outer diameter: those of its size, within 4 %, and the fine pitches of ISO 261
+/// for large diameters, if the diameter is a nominal one within 0.1 mm. Metres; the largest first.
 std::vector<double> metricPitches(double diameter);
 
 /// The pitch of the standard thread of 60 degrees of an outer diameter whose core is this much thinner, as a difference
