@@ -10,9 +10,9 @@
 
 namespace glissade {
 
-/// What one body of a pair is taken thinner by against the other one while one of them moves: as it is found, as plans
-/// and paths keep it, and as it is shown. A file states it for the judge (check::StatedAllowance), and a person edits
-/// it (FitEdit).
+/// The amount by which one body of a pair is taken thinner against the other one while one of them moves. The finder of
+/// fits, plans, kept paths and the window have this one struct. A file states the allowance for the judge
+/// (check::StatedAllowance), and a person edits it (FitEdit).
 struct Allowance {
   std::string body{};  ///< id of the other body
   ContactKind kind = ContactKind::Contact;

@@ -78,7 +78,7 @@ bool endsWith(const std::string& text, std::string_view end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-/// Also in the plural. German compounds are one word: the end of a word counts from five letters on.
+/// True if the word is the hint, its plural, or a German compound that ends with a hint of five letters or more.
 bool isLastWord(const std::string& word, std::string_view hint) {
   return word == hint || word == std::string(hint) + "s" || (hint.size() >= 5 && endsWith(word, hint));
 }

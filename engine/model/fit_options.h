@@ -6,7 +6,7 @@
 
 namespace glissade {
 
-/// What a person says of all fits on the command line; it overrides what the file says.
+/// The options of the command line about all fits. They have priority over the file.
 struct FitOptions {
   std::optional<bool> on{};
   std::optional<double> acceptedClash{};  ///< metres; turns fits on unless they are turned off

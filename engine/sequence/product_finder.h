@@ -16,7 +16,7 @@ namespace glissade {
 
 using JointsPtr = std::shared_ptr<const Joints>;
 
-/// What is known about a product before its sequence is planned.
+/// The joints and fits of a product, found before its sequence is planned.
 struct ProductFindings {
   Joints joints;     ///< with the person's edits among the demands; none if the demands use none
   ProductFits fits;  ///< with the bends of the joints that count
