@@ -75,9 +75,13 @@ std::optional<RunStatus> statusOfSequence(const Json& report) {
 }
 
 /// True if the text says that memory ended, in the words of guarded() or of the standard library. The text is the
-/// report's error or standard error.
+/// report's error or standard error, where the name of the program stands before the reason.
 bool saysOutOfMemory(const std::string& text) {
-  return text.find("bad_alloc") != std::string::npos || text == toString(withoutMemory().reason);
+  const std::string reason = toString(withoutMemory().reason);
+  const std::string line = firstLine(text);
+  const std::size_t name = line.rfind(": " + reason);
+  const bool endsWithReason = name != std::string::npos && name + 2 + reason.size() == line.size();
+  return text.find("bad_alloc") != std::string::npos || line == reason || endsWithReason;
 }
 
 RunStatus statusOf(const ChildEnd& end, const Json& report, const RunOutcome& outcome, double timeLimit) {

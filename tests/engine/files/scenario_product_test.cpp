@@ -4,7 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <algorithm>
+#include <ctime>
 
 #include "engine/files/assembly_edits.h"
 #include "engine/files/part_adder.h"
@@ -222,14 +223,14 @@ TEST_F(RenamedUnit, OrdinaryNamesAddNothingToTheFile) {
   EXPECT_TRUE(made({unit + ":pin", unit}).nodes.empty());
 }
 
-/// Seconds for making, writing and reading a product of `count` bodies, 41 levels deep.
+/// Seconds of the processor for making, writing and reading a product of `count` bodies, 41 levels deep.
 double secondsFor(int count) {
   std::string above;
   for (int level = 0; level < 40; ++level) above = joinedPath(above, "level" + std::to_string(level));
   Scenario scenario = test::boxScenario();
   scenario.bodies.clear();
   PartAdder adder(scenario, "");
-  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t begin = std::clock();
   for (int i = 0; i < count; ++i) {
     PartFile part = usualPart(test::stepFile("unit.step"));
     part.part = joinedPath(above, "M3_" + std::to_string(i));
@@ -245,13 +246,19 @@ double secondsFor(int count) {
   const Product product = treeOf(*read);
   EXPECT_EQ(product.nodes().size(), bodies + 41);
   EXPECT_EQ(product.bodiesBelow(0).size(), bodies);
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
-/// Four times as many bodies take four times as long, not sixteen times.
+/// Four times as many bodies take four times as long, not sixteen times. Other processes on the machine slow down a
+/// part of the measurements, so the least of some is taken.
 TEST(ScenarioProduct, TimeGrowsWithTheBodies) {
-  const double few = secondsFor(2'000);
-  EXPECT_LT(secondsFor(8'000), 10.0 * few);
+  double few = secondsFor(2'000);
+  double many = secondsFor(8'000);
+  for (int again = 0; again < 3 && many >= 10.0 * few; ++again) {
+    few = std::min(few, secondsFor(2'000));
+    many = std::min(many, secondsFor(8'000));
+  }
+  EXPECT_LT(many, 10.0 * few);
 }
 
 }  // namespace

@@ -98,6 +98,11 @@ TEST(RunResult, TellsTheWaysToEndApart) {
   EXPECT_EQ(status(crashed), RunStatus::Crashed);
   crashed.errors = "terminate called after throwing an instance of 'std::bad_alloc'";
   EXPECT_EQ(status(crashed), RunStatus::Memory);
+  ChildEnd full = saying("", 5);
+  full.errors = "glissade-cli: out of memory\n";
+  EXPECT_EQ(status(full), RunStatus::Memory);
+  full.errors = "glissade-cli: out of memory.json: cannot be opened\n";
+  EXPECT_EQ(status(full), RunStatus::Crashed);
   ChildEnd killed = saying("");
   killed.ending = ChildEnding::TimeOver;
   killed.signal = SIGKILL;
