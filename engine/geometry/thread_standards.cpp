@@ -295,7 +295,9 @@ double pitchOfCore(double diameter, double depth) {
 bool isCoreByStandard(double pitch, double depth) {
   constexpr double kOfNut = 0.541266;
   constexpr double kOfBolt = 0.613435;
-  const auto isDepth = [&](double inPitches) { return std::abs(depth - inPitches * pitch) <= 0.01 * inPitches * pitch; };
+  const auto isDepth = [&](double inPitches) {
+    return std::abs(depth - inPitches * pitch) <= 0.01 * inPitches * pitch;
+  };
   return isDepth(kOfNut) || isDepth(kOfBolt);
 }
 
