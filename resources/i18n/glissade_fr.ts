@@ -631,8 +631,8 @@
         <translation>Masquer le message au-dessus de la scène et ses repères</translation>
     </message>
     <message>
-        <source>&amp;Keep the path</source>
-        <translation>&amp;Conserver le chemin</translation>
+        <source>Ke&amp;ep the path</source>
+        <translation>Conser&amp;ver le chemin</translation>
     </message>
     <message>
         <source>Keep the path that was found in the scenario</source>
@@ -1051,8 +1051,8 @@
         <translation>&amp;Ouvrir un scénario...</translation>
     </message>
     <message>
-        <source>&amp;Start the run</source>
-        <translation>&amp;Démarrer le calcul</translation>
+        <source>&amp;Find path</source>
+        <translation>&amp;Chercher un chemin</translation>
     </message>
     <message>
         <source>Pa&amp;use the run</source>
@@ -1256,7 +1256,7 @@
     </message>
     <message>
         <source>&amp;Automatic tuning of α, N and d</source>
-        <translation>Réglage a&amp;utomatique de α, N et d</translation>
+        <translation>Réglage auto&amp;matique de α, N et d</translation>
     </message>
     <message>
         <source>&amp;Cancel the work in progress</source>
@@ -1485,10 +1485,6 @@
     <message>
         <source>Save</source>
         <translation>Enregistrer</translation>
-    </message>
-    <message>
-        <source>Start</source>
-        <translation>Démarrer</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -2218,6 +2214,14 @@
         <source>Show a run of a study again, from its file runs/cellN-seedM.json</source>
         <translation>Revoir un essai d&apos;une étude, à partir de son fichier runs/cellN-seedM.json</translation>
     </message>
+    <message>
+        <source>Plan sequence</source>
+        <translation>Planifier la séquence</translation>
+    </message>
+    <message>
+        <source>Instruction</source>
+        <translation>Instruction</translation>
+    </message>
 </context>
 <context>
     <name>Arranging</name>
@@ -2562,14 +2566,6 @@
         <translation>&amp;Assemblage</translation>
     </message>
     <message>
-        <source>&amp;Run</source>
-        <translation>&amp;Calcul</translation>
-    </message>
-    <message>
-        <source>&amp;Study</source>
-        <translation>Ét&amp;ude</translation>
-    </message>
-    <message>
         <source>&amp;Operator</source>
         <translation>&amp;Opérateur</translation>
     </message>
@@ -2634,10 +2630,6 @@
         <translation>É&amp;tape de la séquence</translation>
     </message>
     <message>
-        <source>Se&amp;mantics</source>
-        <translation>&amp;Sémantique</translation>
-    </message>
-    <message>
         <source>Pat&amp;h</source>
         <translation>C&amp;hemin</translation>
     </message>
@@ -2672,6 +2664,22 @@
     <message>
         <source>Access of a &amp;hand</source>
         <translation>Accès d&apos;une ma&amp;in</translation>
+    </message>
+    <message>
+        <source>P&amp;laces</source>
+        <translation>L&amp;ieux</translation>
+    </message>
+    <message>
+        <source>P&amp;lan</source>
+        <translation>P&amp;lanification</translation>
+    </message>
+    <message>
+        <source>&amp;Difficulties</source>
+        <translation>&amp;Difficultés</translation>
+    </message>
+    <message>
+        <source>Stud&amp;ies</source>
+        <translation>Ét&amp;udes</translation>
     </message>
 </context>
 <context>
@@ -11398,8 +11406,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
 <context>
     <name>Status</name>
     <message>
-        <source>Ready. Press Start (F5), or take the object with the keys over the view.</source>
-        <translation>Prêt. Appuyez sur Démarrer (F5), ou déplacez l&apos;objet au clavier dans la vue.</translation>
+        <source>Ready. Press Find path (F5), or steer with the keys.</source>
+        <translation>Prêt. Appuyez sur Chercher un chemin (F5), ou pilotez au clavier.</translation>
     </message>
     <message>
         <source>Planning: sampling on the nearest obstacle&apos;s tangent plane</source>
@@ -11426,8 +11434,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Planification&#xa0;: recherche des jalons dans les frontières</translation>
     </message>
     <message>
-        <source>The path does not hold here: see Path. Start (F5) looks for another.</source>
-        <translation>Le chemin n&apos;est pas valide ici&#xa0;: voir le panneau Chemin. Démarrer (F5) en cherche un autre.</translation>
+        <source>The path does not hold here: see Path. Find path (F5) looks for another.</source>
+        <translation>Le chemin n&apos;est pas valide ici&#xa0;: voir le panneau Chemin. Chercher un chemin (F5) en cherche un autre.</translation>
     </message>
     <message>
         <source>The path holds: certified free of penetration</source>
@@ -11517,8 +11525,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Sortir une pièce</translation>
     </message>
     <message>
-        <source>Press Start (F5): the planner searches how the nut leaves the rod. The panel Path shows the clearance along the motion, the allowances, and plays it (Ctrl+P).</source>
-        <translation>Appuyez sur Démarrer (F5) : le planificateur cherche comment l&apos;écrou quitte la tige. Le panneau Chemin montre le jeu le long du mouvement, les tolérances, et le joue (Ctrl+P).</translation>
+        <source>Press Find path (F5): the planner searches how the nut leaves the rod. The panel Path shows the clearance along the motion, the allowances, and plays it (Ctrl+P).</source>
+        <translation>Appuyez sur Chercher un chemin (F5) : le planificateur cherche comment l&apos;écrou quitte la tige. Le panneau Chemin montre le jeu le long du mouvement, les tolérances, et le joue (Ctrl+P).</translation>
     </message>
     <message>
         <source>Cut it open</source>
@@ -11537,12 +11545,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Écrire la fiche d&apos;instructions</translation>
     </message>
     <message>
-        <source>In the list of strategies (panel Interaction), choose Advanced, then Shortest way through places (GT), and press Start (F5). The way leads through the slot P6, which is too narrow, and the run ends there: the panel Plan says where and why.</source>
-        <translation>Dans la liste des stratégies (panneau Interaction), choisissez Avancées, puis Plus court passage par les lieux (GT), et appuyez sur Démarrer (F5). Le passage traverse la fente P6, qui est trop étroite, et le calcul s&apos;y termine&#xa0;: le panneau Plan dit où et pourquoi.</translation>
+        <source>In the list of strategies (panel Interaction), choose Advanced, then Shortest way through places (GT), and press Find path (F5). The way leads through the slot P6, which is too narrow, and the run ends there: the panel Plan says where and why.</source>
+        <translation>Dans la liste des stratégies (panneau Interaction), choisissez Avancées, puis Plus court passage par les lieux (GT), et appuyez sur Chercher un chemin (F5). Le passage traverse la fente P6, qui est trop étroite, et le calcul s&apos;y termine&#xa0;: le panneau Plan dit où et pourquoi.</translation>
     </message>
     <message>
-        <source>Choose the strategy Layers and press Start (F5). It knows that the object does not fit through the slot and goes through P5. The path that it finds is proved free of penetration.</source>
-        <translation>Choisissez la stratégie Couches et appuyez sur Démarrer (F5). Elle sait que l&apos;objet ne passe pas par la fente, et passe par P5. Le chemin trouvé est prouvé sans pénétration.</translation>
+        <source>Choose the strategy Layers and press Find path (F5). It knows that the object does not fit through the slot and goes through P5. The path that it finds is proved free of penetration.</source>
+        <translation>Choisissez la stratégie Couches et appuyez sur Chercher un chemin (F5). Elle sait que l&apos;objet ne passe pas par la fente, et passe par P5. Le chemin trouvé est prouvé sans pénétration.</translation>
     </message>
     <message>
         <source>Now parts. Press Do it for me: it opens the sample &quot;Bolted brackets&quot; in place of the one that is open. It has two brackets on a plate, with bolts, a rod and nuts. With parts of your own, begin with File &gt; New from parts (Ctrl+N): STEP, mesh or URDF files.</source>
@@ -15407,8 +15415,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Ses extrémités ne sont pas le départ et le but.</translation>
     </message>
     <message>
-        <source>Start and goal are allowed now. Press Start (F5).</source>
-        <translation>Le départ et le but sont maintenant admis. Appuyez sur Démarrer (F5).</translation>
+        <source>Start and goal are allowed now. Press Find path (F5).</source>
+        <translation>Le départ et le but sont maintenant admis. Appuyez sur Chercher un chemin (F5).</translation>
     </message>
     <message>
         <source>The start is refused: &apos;%1&apos; overlaps or touches what is there.</source>
@@ -16143,8 +16151,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Le chemin fait à la main devient le mouvement de %1.</translation>
     </message>
     <message>
-        <source>You move %1 by hand, among the parts that are present at its step. Start (F5) begins a run. Its certified path becomes the step.</source>
-        <translation>Vous déplacez %1 à la main, parmi les pièces présentes à son étape. Démarrer (F5) lance un calcul. Son chemin certifié devient l&apos;étape.</translation>
+        <source>You move %1 by hand, among the parts that are present at its step. Find path (F5) begins a run. Its certified path becomes the step.</source>
+        <translation>Vous déplacez %1 à la main, parmi les pièces présentes à son étape. Chercher un chemin (F5) lance un calcul. Son chemin certifié devient l&apos;étape.</translation>
     </message>
 </context>
 <context>
