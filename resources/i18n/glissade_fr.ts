@@ -16109,7 +16109,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>The sequence cannot be planned with these demands</source>
-        <translation>La séquence ne peut pas être planifiée ainsi</translation>
+        <translation>La séquence ne peut pas être planifiée avec ces exigences</translation>
     </message>
 </context>
 <context>
