@@ -2671,7 +2671,7 @@
     </message>
     <message>
         <source>P&amp;lan</source>
-        <translation>P&amp;lanification</translation>
+        <translation>Pla&amp;nification</translation>
     </message>
     <message>
         <source>&amp;Difficulties</source>
