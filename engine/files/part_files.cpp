@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 #include <utility>
 
 #include "engine/base/file.h"
@@ -55,44 +56,48 @@ bool isTaken(const std::string& name, const PartFile& by, const std::vector<Clai
   });
 }
 
-/// A part of several solids of which one is named is taken as its solids.
-bool isOpen(const std::string& part, const PartFile& by, const std::vector<Claim>& claims) {
-  return std::any_of(claims.begin(), claims.end(), [&](const Claim& claim) {
-    return claim.node.size() > part.size() && isWithin(claim.node, part) && isSameFile(claim.path, by.path);
-  });
+using Occurrences = std::vector<Occurrence>;
+
+bool isOneOf(const Occurrences& shapes, const std::string& path) {
+  return std::any_of(shapes.begin(), shapes.end(), [&](const Occurrence& shape) { return shape.path == path; });
+}
+
+/// The shapes of the file: each part as one, or as its solids if one of them is named.
+Occurrences shapesOf(const PartFile& named, const Occurrences& solids, const std::vector<Claim>& claims) {
+  const Occurrences asOne = withPartsAsOne(solids, std::set<std::string>());
+  const auto isOpen = [&](const std::string& part) {
+    return std::any_of(claims.begin(), claims.end(), [&](const Claim& claim) {
+      return claim.node.size() > part.size() && isWithin(claim.node, part) && !isOneOf(asOne, claim.node) &&
+             isSameFile(claim.path, named.path);
+    });
+  };
+  std::set<std::string> opened;
+  for (const Occurrence& solid : solids) {
+    if (solid.isSolidOfPart && isOpen(partPathOf(solid))) opened.insert(partPathOf(solid));
+  }
+  return withPartsAsOne(solids, opened);
 }
 
 /// The names of the steps of a node, as in Occurrence::names.
-std::vector<NodeNames> namesAt(const std::string& node, const std::vector<Occurrence>& places) {
+std::vector<NodeNames> namesAt(const std::string& node, const Occurrences& places) {
   const auto below =
       std::find_if(places.begin(), places.end(), [&](const Occurrence& place) { return isWithin(place.path, node); });
   if (below == places.end() || below->names.empty()) return {};
   return {below->names.begin(), below->names.begin() + static_cast<std::ptrdiff_t>(stepsOf(node).size())};
 }
 
-/// One entry for each part of the file that lies within the one that is named.
-std::vector<PartFile> entriesOf(const PartFile& named, const std::vector<Occurrence>& places,
+/// One entry for each of the shapes that lies within the part that is named.
+std::vector<PartFile> entriesOf(const PartFile& named, const Occurrences& shapes, const Occurrences& solids,
                                 const std::vector<Claim>& claims) {
   std::vector<PartFile> entries;
-  for (const Occurrence& place : places) {
-    const std::string whole = partPathOf(place);
-    PartFile entry = named;
-    entry.asOne = place.isSolidOfPart && !isOpen(whole, named, claims);
-    entry.part = entry.asOne ? whole : place.path;
-    const bool isKnown = entry.asOne && !entries.empty() && entries.back().part == whole;
-    if (isKnown || !isWithin(entry.part, named.part) || isTaken(entry.part, named, claims)) continue;
-    entry.names = namesAt(entry.part, places);
-    entries.push_back(std::move(entry));
+  for (const Occurrence& shape : shapes) {
+    if (!isWithin(shape.path, named.part) || isTaken(shape.path, named, claims)) continue;
+    PartFile& entry = entries.emplace_back(named);
+    entry.part = shape.path;
+    entry.asOne = !isOneOf(solids, shape.path);
+    entry.names = namesAt(shape.path, shapes);
   }
   return entries;
-}
-
-/// Whether the file is several parts.
-bool hasSeveral(const PartFile& named, const std::vector<Occurrence>& places, const std::vector<Claim>& claims) {
-  return std::any_of(places.begin(), places.end(), [&](const Occurrence& place) {
-    const std::string whole = partPathOf(place);
-    return whole != partPathOf(places.front()) || (place.isSolidOfPart && isOpen(whole, named, claims));
-  });
 }
 
 /// The parts with every STEP file that holds several, and does not move, as one entry a part. A part that is
@@ -105,7 +110,7 @@ Result<std::vector<PartFile>> oneEntryEach(const std::vector<PartFile>& parts, c
                                            const std::string& scenarioFile, GeometryCache& read,
                                            const StopToken& stop) {
   std::vector<PartFile> named = parts;
-  std::vector<std::vector<Occurrence>> places(parts.size());
+  std::vector<Occurrences> solids(parts.size());
   std::vector<Claim> claims = claimsOf(scenario, scenarioFile);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (!isCadFile(parts[i].path) && !parts[i].groups) continue;
@@ -114,23 +119,28 @@ Result<std::vector<PartFile>> oneEntryEach(const std::vector<PartFile>& parts, c
     whole.asOne = false;
     const auto geometry = readPart(whole, read, stop);
     if (!geometry) return geometry.error();
-    places[i] = (*geometry)->parts;
-    auto node = nodeNamed(parts[i].part, treeOf(**geometry), parts[i].path);
+    solids[i] = (*geometry)->parts;
+    const Occurrences asOne = withPartsAsOne(solids[i], std::set<std::string>());
+    // A name is that of a part, as 'info' lists them, else that of a solid.
+    auto node = nodeNamed(parts[i].part, treeOf(asOne), parts[i].path);
+    if (!node) node = nodeNamed(parts[i].part, treeOf(solids[i]), parts[i].path);
     if (!node) return node.error();
+    const bool isJoined = isOneOf(asOne, *node) && !isOneOf(solids[i], *node);
     named[i].part = *node;
-    named[i].names = namesAt(*node, places[i]);
-    named[i].asOne = std::any_of(places[i].begin(), places[i].end(), [&](const Occurrence& place) {
-      return place.isSolidOfPart && isWithin(partPathOf(place), *node);
-    });
+    named[i].names = namesAt(*node, isJoined ? asOne : solids[i]);
+    named[i].asOne = isJoined || std::any_of(solids[i].begin(), solids[i].end(), [&](const Occurrence& solid) {
+                       return solid.isSolidOfPart && isWithin(partPathOf(solid), *node);
+                     });
     claims.push_back({parts[i].path, *node});
   }
   std::vector<PartFile> entries;
   for (std::size_t i = 0; i < named.size(); ++i) {
-    if (named[i].role == PartRole::Moves || !hasSeveral(named[i], places[i], claims)) {
+    const Occurrences shapes = shapesOf(named[i], solids[i], claims);
+    if (named[i].role == PartRole::Moves || shapes.size() <= 1) {
       entries.push_back(named[i]);
       continue;
     }
-    for (PartFile& entry : entriesOf(named[i], places[i], claims)) entries.push_back(std::move(entry));
+    for (PartFile& entry : entriesOf(named[i], shapes, solids[i], claims)) entries.push_back(std::move(entry));
   }
   return entries;
 }

@@ -33,17 +33,29 @@ class PartsAsOne {
     for (auto shape = first; shape != end; ++shape) (isSolid(shape->mesh) ? solids : parts).push_back(*shape);
     if (solids.empty()) return parts;
     Occurrence whole = solids.size() > 1 ? joined(solids) : solids.front();
-    if (parts.empty()) {
-      whole.path = partPathOf(*first);
-      if (!whole.names.empty()) whole.names.pop_back();
-      whole.formerPath.clear();
-      whole.isSolidOfPart = false;
-    }
+    whole.path = partPathOf(*first);
+    if (!whole.names.empty()) whole.names.pop_back();
+    whole.formerPath.clear();
+    whole.isSolidOfPart = false;
+    if (!parts.empty()) placeBeside(parts, whole);
     parts.insert(parts.begin(), std::move(whole));
     return parts;
   }
 
  private:
+  /// Gives the joined solids a name of their own among the shapes of the part: that of the part, with a number if a
+  /// shape has it.
+  static void placeBeside(const Occurrences& shapes, Occurrence& whole) {
+    const std::vector<std::string> steps = stepsOf(whole.path);
+    const std::string beside = joinedPath(whole.path, steps.empty() ? "" : steps.back());
+    const auto isTaken = [&](const std::string& path) {
+      return std::any_of(shapes.begin(), shapes.end(), [&](const Occurrence& shape) { return shape.path == path; });
+    };
+    whole.path = beside;
+    for (int number = 2; isTaken(whole.path); ++number) whole.path = beside + "#" + std::to_string(number);
+    if (!whole.names.empty()) whole.names.push_back({whole.names.back().product});
+  }
+
   struct PlacedSolid {
     MeshPtr mesh;
     Pose X_PS;
@@ -160,16 +172,23 @@ std::vector<Occurrence> withPartsAsOne(const std::vector<Occurrence>& solids, co
   return joinedParts(solids, [&](const std::string& part) { return isWithin(part, node); });
 }
 
+std::vector<Occurrence> withPartsAsOne(const std::vector<Occurrence>& solids, const std::set<std::string>& opened) {
+  return joinedParts(solids, [&](const std::string& part) { return opened.count(part) == 0; });
+}
+
 Result<std::vector<Occurrence>> chosenParts(const std::vector<Occurrence>& solids, const std::string& whole,
                                             const PartChoice& choice) {
   std::vector<Occurrence> named = solids;
   const std::set<std::string> planBodies(choice.planBodies.begin(), choice.planBodies.end());
   takeFormerPaths(planBodies, named);
+  std::set<std::string> asOne;
+  for (const Occurrence& part : withPartsAsOne(named, std::set<std::string>())) asOne.insert(part.path);
   std::set<std::string> opened;
   std::vector<ProductBody> bodies;
   for (const Occurrence& solid : named) {
     bodies.push_back({solid.path, {solid.path, solid.names}});
-    if (solid.isSolidOfPart && planBodies.count(solid.path) > 0) opened.insert(partPathOf(solid));
+    const bool isOfPlan = planBodies.count(solid.path) > 0 && asOne.count(solid.path) == 0;
+    if (solid.isSolidOfPart && isOfPlan) opened.insert(partPathOf(solid));
   }
   const Product tree(bodies);
   for (const std::string& name : choice.open) {
@@ -183,7 +202,7 @@ Result<std::vector<Occurrence>> chosenParts(const std::vector<Occurrence>& solid
                       {GLISSADE_TEXT("names '%1', which is no part of several solids"), {name}},
                       GLISSADE_TEXT("See 'glissade-cli info' for the names.")};
   }
-  return joinedParts(named, [&](const std::string& part) { return opened.count(part) == 0; });
+  return withPartsAsOne(named, opened);
 }
 
 }  // namespace glissade

@@ -16,8 +16,8 @@ namespace glissade {
 /// Names of the parts of a file; one empty name if it has one part.
 std::vector<std::string> namesOf(const LoadedGeometry& wholeFile);
 
-/// Tree of the assemblies and parts of the file, by their paths.
-Product treeOf(const LoadedGeometry& wholeFile);
+/// Tree of the assemblies and parts of a file, by their paths.
+Product treeOf(const std::vector<Occurrence>& parts);
 
 /// The path of the node that a person means: by its path, or by a unique end of the path or of the names in the file.
 /// Errors are MalformedInput with the existing names.

@@ -9,6 +9,9 @@
 #include "engine/files/product_file.h"
 #include "engine/files/scenario_io.h"
 #include "engine/geometry/mesh_audit.h"
+#include "engine/geometry/primitives.h"
+#include "engine/import/part_solids.h"
+#include "engine/model/body_path.h"
 #include "tests/engine/support/loaded_scenario.h"
 #include "tests/engine/support/mapped_step.h"
 #include "tests/engine/support/step_files.h"
@@ -282,6 +285,49 @@ TEST(StepParts, WhatWasReadIsNotReadAgain) {
   const auto scenario = scenarioOfParts({moving(file + ":pin"), still(file)}, &read);
   ASSERT_TRUE(scenario) << toString(scenario.error());
   EXPECT_TRUE(loadGeometry(*scenario, ".", "", read).ok());
+}
+
+/// A part of two closed boxes and one box without its last face.
+std::vector<Occurrence> solidsAndASurface() {
+  TriangleMesh open = makeBox(Vector3::Ones());
+  open.triangles.resize(open.triangles.size() - 2);
+  const auto box = std::make_shared<const TriangleMesh>(makeBox(Vector3::Ones()));
+  std::vector<Occurrence> shapes;
+  for (const auto& [name, mesh] : {std::pair("red", box), std::pair("blue", box),
+                                   std::pair("skin", std::make_shared<const TriangleMesh>(std::move(open)))}) {
+    Occurrence& shape = shapes.emplace_back(Occurrence{joinedPath("unit", name), mesh});
+    shape.X_FP = Pose::translation({2.0 * static_cast<double>(shapes.size()), 0.0, 0.0});
+    shape.isSolidOfPart = true;
+  }
+  return shapes;
+}
+
+std::vector<std::string> pathsOf(const std::vector<Occurrence>& shapes) {
+  std::vector<std::string> paths;
+  for (const Occurrence& shape : shapes) paths.push_back(shape.path);
+  return paths;
+}
+
+/// A plan names the bodies that `info` lists. The part must not be opened for the judge because of these names.
+TEST(StepParts, SolidsBesideASurfaceAreOneBodyForThePlanAndForTheJudge) {
+  const std::vector<Occurrence> solids = solidsAndASurface();
+  const auto made = chosenParts(solids, "file", {});
+  ASSERT_TRUE(made.ok());
+  EXPECT_THAT(pathsOf(*made), ElementsAre("unit/unit", "unit/skin"));
+  const auto judged = chosenParts(solids, "file", {{}, pathsOf(*made)});
+  ASSERT_TRUE(judged.ok());
+  EXPECT_EQ(pathsOf(*judged), pathsOf(*made));
+  const auto opened = chosenParts(solids, "file", {{}, {"unit/red", "unit/blue", "unit/skin"}});
+  ASSERT_TRUE(opened.ok());
+  EXPECT_EQ(pathsOf(*opened), pathsOf(solids)) << "a plan of the solids";
+}
+
+TEST(StepParts, TheNameOfTheJoinedSolidsIsFree) {
+  std::vector<Occurrence> solids = solidsAndASurface();
+  solids[2].path = "unit/unit";
+  const auto made = chosenParts(solids, "file", {});
+  ASSERT_TRUE(made.ok());
+  EXPECT_THAT(pathsOf(*made), ElementsAre("unit/unit#2", "unit/unit"));
 }
 
 }  // namespace
