@@ -393,7 +393,7 @@ ParsedCommand addNew(const ParsedCommand& app, NewOptions& options) {
   make.option("--moves", options.moving, GLISSADE_TEXT("The moving part (can be repeated: they move as one)"))
       ->required()
       ->allow_extra_args(false);
-  make.option("--static", options.statics, GLISSADE_TEXT("Parts that stay where they are"));
+  make.option("--static", options.statics, GLISSADE_TEXT("Static parts: they do not move"));
   make.option("--mobile", options.mobiles, GLISSADE_TEXT("Parts in the way that a person could move"));
   make.length(
       "--unit", [&options](double unit) { options.unit = unit; },

@@ -4,12 +4,12 @@
 <context>
     <name>ActionHelp</name>
     <message>
-        <source>STEP files of a product become one row for each part, placed as the assembly has it. Meshes may need a unit and an axis. One part moves; the others are static or mobile.</source>
-        <translation>Un fichier STEP d&apos;un produit donne une ligne par pièce, placée comme dans l&apos;assemblage. Pour les maillages, indiquez au besoin l&apos;unité et l&apos;axe vertical. Une pièce bouge&#xa0;; les autres sont statiques ou mobiles.</translation>
+        <source>STEP files of a product become one row for each part, placed as the assembly has it. Meshes may need a unit and an axis. One part is the moving part; the others are static or mobile.</source>
+        <translation>Un fichier STEP d&apos;un produit donne une ligne par pièce, placée comme dans l&apos;assemblage. Pour les maillages, indiquez au besoin l&apos;unité et l&apos;axe vertical. Une pièce est la pièce manipulée&#xa0;; les autres sont statiques ou mobiles.</translation>
     </message>
     <message>
         <source>A scenario holds bodies, the moving part, its start and goal, places, fits, kept paths and parameters.</source>
-        <translation>Un scénario contient les corps, la pièce mobile, son départ et son but, les lieux, les ajustements, les chemins conservés et les paramètres.</translation>
+        <translation>Un scénario contient les corps, la pièce manipulée, son départ et son but, les lieux, les ajustements, les chemins conservés et les paramètres.</translation>
     </message>
     <message>
         <source>The strategy, the operator and the sliders of the panel Interaction say how. A path that is found is certified free of penetration. Parameters can be changed during the run.</source>
@@ -61,7 +61,7 @@
     </message>
     <message>
         <source>The object is the moving part: one body, or several as one rigid body. All other bodies are obstacles.</source>
-        <translation>L&apos;objet est la pièce mobile&#xa0;: un corps, ou plusieurs comme un seul corps rigide. Tous les autres corps sont des obstacles.</translation>
+        <translation>L&apos;objet est la pièce manipulée&#xa0;: un corps, ou plusieurs comme un seul corps rigide. Tous les autres corps sont des obstacles.</translation>
     </message>
     <message>
         <source>CAD files often hold variants of a part that are drawn over each other. One is built, the others are excluded. Certificates are about the product without them.</source>
@@ -892,7 +892,7 @@
     </message>
     <message>
         <source>Make a scenario from STEP, mesh or URDF files, with one moving part</source>
-        <translation>Créer un scénario à partir de fichiers STEP, de maillages ou URDF, avec une pièce mobile</translation>
+        <translation>Créer un scénario à partir de fichiers STEP, de maillages ou URDF, avec une pièce manipulée</translation>
     </message>
     <message>
         <source>Add parts from STEP, mesh or URDF files to the scene</source>
@@ -948,7 +948,7 @@
     </message>
     <message>
         <source>Draw removed parts where their motion ends, or hide them</source>
-        <translation>Montrer les pièces sorties là où leur mouvement finit, ou les masquer</translation>
+        <translation>Montrer les pièces démontées là où leur mouvement finit, ou les masquer</translation>
     </message>
     <message>
         <source>Rule out this &amp;direction of removal</source>
@@ -1672,7 +1672,7 @@
     </message>
     <message>
         <source>Put a vertex, an edge, an axis or a plane onto one of another body: click that of the moving part, then the other</source>
-        <translation>Mettre un sommet, une arête, un axe ou un plan sur celui d&apos;un autre corps&#xa0;: cliquer celui de la pièce mobile, puis l&apos;autre</translation>
+        <translation>Mettre un sommet, une arête, un axe ou un plan sur celui d&apos;un autre corps&#xa0;: cliquer celui de la pièce manipulée, puis l&apos;autre</translation>
     </message>
     <message>
         <source>Turn what was aligned last round: the axis, or the face, looks the other way; a cylinder goes to the other side of the plane</source>
@@ -1724,11 +1724,11 @@
     </message>
     <message>
         <source>&amp;Make moving part</source>
-        <translation>Définir comme pièce mo&amp;bile</translation>
+        <translation>Dé&amp;finir comme pièce manipulée</translation>
     </message>
     <message>
         <source>The selected bodies become the moving part, as one, from their present pose to &quot;removed&quot;; the moving part of before stays at its start</source>
-        <translation>Les corps sélectionnés deviennent la pièce mobile, ensemble, de leur position actuelle à «&#xa0;démonté&#xa0;»&#xa0;; la pièce mobile d&apos;avant reste à son départ</translation>
+        <translation>Les corps sélectionnés deviennent la pièce manipulée, ensemble, de leur position actuelle à «&#xa0;démonté&#xa0;»&#xa0;; la pièce manipulée d&apos;avant reste à son départ</translation>
     </message>
     <message>
         <source>Assembly &amp;times</source>
@@ -2164,11 +2164,11 @@
     </message>
     <message>
         <source>Show the &amp;hand on the moving part</source>
-        <translation>Afficher la m&amp;ain sur la pièce mobile</translation>
+        <translation>Afficher la m&amp;ain sur la pièce manipulée</translation>
     </message>
     <message>
         <source>Draw hand, forearm and tool where they can hold the moving part</source>
-        <translation>Dessiner la main, l&apos;avant-bras et l&apos;outil là où ils peuvent tenir la pièce mobile</translation>
+        <translation>Dessiner la main, l&apos;avant-bras et l&apos;outil là où ils peuvent tenir la pièce manipulée</translation>
     </message>
     <message>
         <source>Hand of a small &amp;woman</source>
@@ -2573,8 +2573,8 @@
         <translation>confirmée</translation>
     </message>
     <message>
-        <source>made by you</source>
-        <translation>créée par vous</translation>
+        <source>user-defined</source>
+        <translation>définie par l&apos;utilisateur</translation>
     </message>
     <message>
         <source>pressed out</source>
@@ -3572,7 +3572,7 @@ Codes de retour&#xa0;: 0 tout est accessible et visible, 1 pas tout, 2 mauvais u
     </message>
     <message>
         <source>Make a scenario of part files (meshes, STEP, IGES, BREP, URDF), with one moving part</source>
-        <translation>Faire un scénario de fichiers de pièces (maillages, STEP, IGES, BREP, URDF), avec une pièce mobile</translation>
+        <translation>Faire un scénario de fichiers de pièces (maillages, STEP, IGES, BREP, URDF), avec une pièce manipulée</translation>
     </message>
     <message>
         <source>A part of a STEP file is named behind its file: --moves product.step:pin --static product.step makes a body
@@ -3592,11 +3592,11 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>The moving part (can be repeated: they move as one)</source>
-        <translation>La pièce mobile (peut être répété&#xa0;: elles se déplacent ensemble)</translation>
+        <translation>La pièce manipulée (peut être répété&#xa0;: elles se déplacent ensemble)</translation>
     </message>
     <message>
-        <source>Parts that stay where they are</source>
-        <translation>Pièces qui restent où elles sont</translation>
+        <source>Static parts: they do not move</source>
+        <translation>Pièces statiques&#xa0;: elles ne bougent pas</translation>
     </message>
     <message>
         <source>Parts in the way that a person could move</source>
@@ -3720,7 +3720,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>names the moving part</source>
-        <translation>désigne la pièce mobile</translation>
+        <translation>désigne la pièce manipulée</translation>
     </message>
     <message>
         <source>Name another body.</source>
@@ -4472,7 +4472,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>another body is the moving part now</source>
-        <translation>un autre corps est maintenant la pièce mobile</translation>
+        <translation>un autre corps est maintenant la pièce manipulée</translation>
     </message>
     <message>
         <source>Make &apos;%1&apos; the object first.</source>
@@ -9124,7 +9124,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>is the moving part</source>
-        <translation>est la pièce mobile</translation>
+        <translation>est la pièce manipulée</translation>
     </message>
     <message>
         <source>Choose another object first.</source>
@@ -9144,7 +9144,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>Select the moving part.</source>
-        <translation>Sélectionnez la pièce mobile.</translation>
+        <translation>Sélectionnez la pièce manipulée.</translation>
     </message>
     <message>
         <source>this is the object already</source>
@@ -9264,15 +9264,15 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>no part is the moving part</source>
-        <translation>aucune pièce n&apos;est la pièce mobile</translation>
+        <translation>aucune pièce n&apos;est la pièce manipulée</translation>
     </message>
     <message>
         <source>Choose the moving part.</source>
-        <translation>Choisissez la pièce mobile.</translation>
+        <translation>Choisissez la pièce manipulée.</translation>
     </message>
     <message>
         <source>cannot be the moving part: the scenario has one</source>
-        <translation>ne peut pas être la pièce mobile&#xa0;: le scénario en a déjà une</translation>
+        <translation>ne peut pas être la pièce manipulée&#xa0;: le scénario en a déjà une</translation>
     </message>
     <message>
         <source>Make it static or mobile.</source>
@@ -10263,8 +10263,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Pour comparer&#xa0;: %1 non modifié</translation>
     </message>
     <message>
-        <source>%1 as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
-        <translation>%1 tel que l&apos;emploient les utilisateurs d&apos;OMPL&#xa0;: collisions par FCL, arêtes vérifiées par points&#xa0;; le premier chemin est jugé par notre certificat.</translation>
+        <source>%1 as OMPL&apos;s users run it: collisions by FCL, edges sampled at intervals; the first path is checked by our certificate.</source>
+        <translation>%1 tel que l&apos;emploient les utilisateurs d&apos;OMPL&#xa0;: collisions par FCL, arêtes vérifiées par points&#xa0;; le premier chemin est vérifié par notre certificat.</translation>
     </message>
     <message>
         <source>Remove it to mean any.</source>
@@ -10540,7 +10540,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>Moving part</source>
-        <translation>Pièce mobile</translation>
+        <translation>Pièce manipulée</translation>
     </message>
     <message>
         <source>Other parts</source>
@@ -11268,7 +11268,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>there is no moving part</source>
-        <translation>il n&apos;y a pas de pièce mobile</translation>
+        <translation>il n&apos;y a pas de pièce manipulée</translation>
     </message>
     <message>
         <source>Give a body with triangles and a path.</source>
@@ -11682,7 +11682,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>Open the sample &quot;Four bodies&quot;: its card on the welcome page, or Open (Ctrl+O) and samples/teaching/scenario.json. The red box is to reach the ghost. A scenario holds bodies, the moving part, its start and its goal.</source>
-        <translation>Ouvrez l&apos;exemple «&#xa0;Quatre corps&#xa0;»&#xa0;: sa carte sur la page d&apos;accueil, ou Ouvrir (Ctrl+O) et samples/teaching/scenario.json. La boîte rouge doit atteindre le fantôme. Un scénario contient des corps, la pièce mobile, son départ et son but.</translation>
+        <translation>Ouvrez l&apos;exemple «&#xa0;Quatre corps&#xa0;»&#xa0;: sa carte sur la page d&apos;accueil, ou Ouvrir (Ctrl+O) et samples/teaching/scenario.json. La boîte rouge doit atteindre le fantôme. Un scénario contient des corps, la pièce manipulée, son départ et son but.</translation>
     </message>
     <message>
         <source>See the places</source>
@@ -11722,11 +11722,11 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>Choose Assembly &gt; Find fits (Ctrl+I). The parts touch, as most CAD parts do. The panel Fits lists the pairs, with gap and allowance: the moving part is that much thinner against the other one. A click on a row marks the two parts.</source>
-        <translation>Choisissez Assemblage &gt; Chercher les ajustements (Ctrl+I). Les pièces se touchent, comme la plupart des pièces CAO. Le panneau Ajustements énumère les paires, avec écart et amincissement&#xa0;: la pièce mobile est d&apos;autant plus mince face à l&apos;autre. Un clic sur une ligne marque les deux pièces.</translation>
+        <translation>Choisissez Assemblage &gt; Chercher les ajustements (Ctrl+I). Les pièces se touchent, comme la plupart des pièces CAO. Le panneau Ajustements énumère les paires, avec écart et amincissement&#xa0;: la pièce manipulée est d&apos;autant plus mince face à l&apos;autre. Un clic sur une ligne marque les deux pièces.</translation>
     </message>
     <message>
-        <source>Take a part out</source>
-        <translation>Sortir une pièce</translation>
+        <source>Remove a part</source>
+        <translation>Démonter une pièce</translation>
     </message>
     <message>
         <source>Press Find path (F5): the planner searches the removal path of the nut. The panel Path shows the clearance along the motion, the allowances, and plays it (Ctrl+P).</source>
@@ -11812,7 +11812,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <name>WhatsThis</name>
     <message>
         <source>All bodies of the scenario: the moving part with its start and goal, and the obstacles. A checked box draws a body. Below are position and angles of what is selected.</source>
-        <translation>Tous les corps du scénario&#xa0;: la pièce mobile avec son départ et son but, et les obstacles. La case affiche ou masque un corps. Au-dessous&#xa0;: la position et les angles de la sélection.</translation>
+        <translation>Tous les corps du scénario&#xa0;: la pièce manipulée avec son départ et son but, et les obstacles. La case affiche ou masque un corps. Au-dessous&#xa0;: la position et les angles de la sélection.</translation>
     </message>
     <message>
         <source>What is known of places and bodies. Above are the places with their complexity and width, below the attributes of what is selected. The coarse path follows each change at once.</source>
@@ -11872,7 +11872,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>Moving part, static body, or mobile body. A static body keeps its place; a person can move a mobile one out of the way.</source>
-        <translation>Pièce mobile, corps statique ou corps mobile. Un corps statique garde sa place&#xa0;; une personne peut écarter un corps mobile.</translation>
+        <translation>Pièce manipulée, corps statique ou corps mobile. Un corps statique garde sa place&#xa0;; une personne peut écarter un corps mobile.</translation>
     </message>
     <message>
         <source>How many triangles its surface has.</source>
@@ -12220,7 +12220,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>This is the moving part. Click another body. Esc ends this.</source>
-        <translation>C&apos;est la pièce mobile. Cliquer un autre corps. Échap termine.</translation>
+        <translation>C&apos;est la pièce manipulée. Cliquer un autre corps. Échap termine.</translation>
     </message>
     <message>
         <source>Click to align: %1 with %2 of %3, %4. Esc ends this.</source>
@@ -12228,7 +12228,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>Click the moving part: %1 of %2. Esc ends this.</source>
-        <translation>Cliquer la pièce mobile&#xa0;: %1 de %2. Échap termine.</translation>
+        <translation>Cliquer la pièce manipulée&#xa0;: %1 de %2. Échap termine.</translation>
     </message>
     <message>
         <source>Click the vertex, edge or face of another body that it goes onto. Esc ends this.</source>
@@ -12236,7 +12236,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>Click a vertex, an edge or a face of the moving part. Esc ends this.</source>
-        <translation>Cliquer un sommet, une arête ou une face de la pièce mobile. Échap termine.</translation>
+        <translation>Cliquer un sommet, une arête ou une face de la pièce manipulée. Échap termine.</translation>
     </message>
     <message>
         <source>cone</source>
@@ -12341,7 +12341,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>Moving part: %1</source>
-        <translation>Pièce mobile&#xa0;: %1</translation>
+        <translation>Pièce manipulée&#xa0;: %1</translation>
     </message>
     <message>
         <source>Start and goal have no collisions.</source>
@@ -12386,8 +12386,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message numerus="yes">
         <source>Moving part: %1 and %n more</source>
         <translation>
-            <numerusform>Pièce mobile&#xa0;: %1 et %n autre</numerusform>
-            <numerusform>Pièce mobile&#xa0;: %1 et %n autres</numerusform>
+            <numerusform>Pièce manipulée&#xa0;: %1 et %n autre</numerusform>
+            <numerusform>Pièce manipulée&#xa0;: %1 et %n autres</numerusform>
         </translation>
     </message>
 </context>
@@ -14109,7 +14109,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>Not certified: another body is the moving part now.</source>
-        <translation>Non certifié&#xa0;: un autre corps est maintenant la pièce mobile.</translation>
+        <translation>Non certifié&#xa0;: un autre corps est maintenant la pièce manipulée.</translation>
     </message>
     <message>
         <source>certified %1, required %2</source>
@@ -14239,7 +14239,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <name>glissade::LegendOverlay</name>
     <message>
         <source>Moving part</source>
-        <translation>Pièce mobile</translation>
+        <translation>Pièce manipulée</translation>
     </message>
     <message>
         <source>Start</source>
@@ -14924,7 +14924,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>Moving part</source>
-        <translation>Pièce mobile</translation>
+        <translation>Pièce manipulée</translation>
     </message>
     <message>
         <source>Static</source>
@@ -14976,7 +14976,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>Choose the moving part.</source>
-        <translation>Choisissez la pièce mobile.</translation>
+        <translation>Choisissez la pièce manipulée.</translation>
     </message>
     <message>
         <source>Meshes (STL, OBJ, Collada, glTF), STEP or URDF files</source>
@@ -15370,8 +15370,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>échec</translation>
     </message>
     <message>
-        <source>No way through the places.</source>
-        <translation>Aucun trajet par les lieux.</translation>
+        <source>No path through the places.</source>
+        <translation>Aucun chemin par les lieux.</translation>
     </message>
     <message>
         <source>Forbidden: %1.</source>
@@ -15965,7 +15965,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>moving part</source>
-        <translation>pièce mobile</translation>
+        <translation>pièce manipulée</translation>
     </message>
     <message>
         <source>start  %1</source>
@@ -15976,8 +15976,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>but  %1</translation>
     </message>
     <message>
-        <source>out</source>
-        <translation>dehors</translation>
+        <source>removed</source>
+        <translation>démonté</translation>
     </message>
     <message>
         <source>Obstacles</source>
@@ -16036,7 +16036,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>Sections cut bodies open: across an axis, or along a face that is clicked. The moving part stays whole.</source>
-        <translation>Les coupes ouvrent les corps&#xa0;: perpendiculairement à un axe, ou le long d&apos;une face que l&apos;on clique. La pièce mobile reste entière.</translation>
+        <translation>Les coupes ouvrent les corps&#xa0;: perpendiculairement à un axe, ou le long d&apos;une face que l&apos;on clique. La pièce manipulée reste entière.</translation>
     </message>
     <message>
         <source>Drag the arrows in the scene, or type a place such as 25.4 mm.</source>
@@ -16179,7 +16179,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>moving part</source>
-        <translation>pièce mobile</translation>
+        <translation>pièce manipulée</translation>
     </message>
     <message>
         <source>Forbidden: no path leads through</source>

@@ -9,10 +9,10 @@ std::vector<ActionSpec> filesActions() {
        .key = "Ctrl+N",
        .tip = QT_TRANSLATE_NOOP("Actions", "Make a scenario from STEP, mesh or URDF files, with one moving part"),
        .place = {"menu.file", 1, 10},
-       .help =
-           QT_TRANSLATE_NOOP("ActionHelp",
-                             "STEP files of a product become one row for each part, placed as the assembly has it. "
-                             "Meshes may need a unit and an axis. One part moves; the others are static or mobile."),
+       .help = QT_TRANSLATE_NOOP(
+           "ActionHelp",
+           "STEP files of a product become one row for each part, placed as the assembly has it. Meshes may need a "
+           "unit and an axis. One part is the moving part; the others are static or mobile."),
        .synonyms = QT_TRANSLATE_NOOP("Actions", "import STEP CAD mesh")},
       {.id = "file.open",
        .text = QT_TRANSLATE_NOOP("Actions", "&Open scenario..."),

@@ -100,7 +100,7 @@ const std::vector<TourStep>& tourSteps() {
        "fits.find",
        {"action fits.find"},
        nullptr},
-      {QT_TRANSLATE_NOOP("Tour", "Take a part out"),
+      {QT_TRANSLATE_NOOP("Tour", "Remove a part"),
        QT_TRANSLATE_NOOP("Tour",
                          "Press Find path (F5): the planner searches the removal path of the nut. The panel Path shows "
                          "the clearance along the motion, the allowances, and plays it (Ctrl+P)."),

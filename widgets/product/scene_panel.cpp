@@ -99,7 +99,7 @@ void ScenePanel::setScenario(const LoadedScenario& scenario) {
   for (const RigidBody& body : scenario.objectBodies) addBody(*object, body, tr("moving part"));
   const Pose* goal = std::get_if<Pose>(&scenario.problem.goal);
   addEnd(*object, tr("start  %1").arg(place(scenario.problem.start)), AssemblyItem::Kind::Start);
-  addEnd(*object, tr("goal  %1").arg(goal != nullptr ? place(*goal) : tr("out")), AssemblyItem::Kind::Goal);
+  addEnd(*object, tr("goal  %1").arg(goal != nullptr ? place(*goal) : tr("removed")), AssemblyItem::Kind::Goal);
   obstacles_ = addGroup(tr("Obstacles"));
   addObstacles(scenario);
   addLeftOut(scenario.scenario);
