@@ -1287,8 +1287,8 @@
         <translation>Départ &amp;ici</translation>
     </message>
     <message>
-        <source>Resolve start and goal &amp;collisions</source>
-        <translation>Résoudre les &amp;collisions du départ et du but</translation>
+        <source>&amp;Resolve start and goal collisions</source>
+        <translation>&amp;Résoudre les collisions du départ et du but</translation>
     </message>
     <message>
         <source>Rules of the strate&amp;gy...</source>

@@ -15,7 +15,7 @@ std::vector<ActionSpec> runActions() {
        .tip = QT_TRANSLATE_NOOP("Actions", "Replay a recorded run"),
        .place = {"menu.file", 4, 10}},
       {.id = "assembly.free-ends",
-       .text = QT_TRANSLATE_NOOP("Actions", "Resolve start and goal &collisions"),
+       .text = QT_TRANSLATE_NOOP("Actions", "&Resolve start and goal collisions"),
        .key = "Ctrl+Alt+5",
        .tip = QT_TRANSLATE_NOOP(
            "Actions", "Move start and goal out of contact and collision by the smallest distance that is found"),
