@@ -1288,7 +1288,7 @@
     </message>
     <message>
         <source>&amp;Resolve start and goal collisions</source>
-        <translation>&amp;Résoudre les collisions du départ et du but</translation>
+        <translation>Résoudre les co&amp;llisions du départ et du but</translation>
     </message>
     <message>
         <source>Rules of the strate&amp;gy...</source>
