@@ -46,24 +46,24 @@ std::string wholePercent(double share) { return std::to_string(static_cast<int>(
 
 Message handInWords(const HandAnswer& hand, const std::vector<RigidBody>& bodies) {
   switch (hand.access) {
-    case HandAccess::Free: return GLISSADE_TEXT("the hand gets there");
+    case HandAccess::Free: return GLISSADE_TEXT("the hand reaches the work");
     case HandAccess::Blocked:
       if (!hand.blockedBy) {
-        return {GLISSADE_TEXT("the hand is blocked, %1 of the way from the place"), {wholePercent(hand.share)}};
+        return {GLISSADE_TEXT("the hand is blocked at %1 of the motion"), {wholePercent(hand.share)}};
       }
-      return {GLISSADE_TEXT("the hand is blocked by '%1', %2 of the way from the place"),
+      return {GLISSADE_TEXT("the hand is blocked by '%1' at %2 of the motion"),
               {bodies[*hand.blockedBy].shown(), wholePercent(hand.share)}};
-    case HandAccess::NoGrip: return GLISSADE_TEXT("no place of it fits into one hand");
+    case HandAccess::NoGrip: return GLISSADE_TEXT("no grasp by one hand was found");
     case HandAccess::NotAsked: break;
   }
-  return GLISSADE_TEXT("not asked");
+  return GLISSADE_TEXT("not checked");
 }
 
 Message sightInWords(const SightAnswer& sight, const std::vector<RigidBody>& bodies) {
   if (sight.isSeen() || !sight.blockedBy) {
-    return {GLISSADE_TEXT("%1 of the place is seen"), {wholePercent(sight.share)}};
+    return {GLISSADE_TEXT("%1 of the work is visible"), {wholePercent(sight.share)}};
   }
-  return {GLISSADE_TEXT("%1 of the place is seen, hidden by '%2'"),
+  return {GLISSADE_TEXT("%1 of the work is visible, hidden by '%2'"),
           {wholePercent(sight.share), bodies[*sight.blockedBy].shown()}};
 }
 
@@ -131,7 +131,7 @@ void printLine(const LineAccess& access, const std::vector<AssemblyStep>& steps,
 void printPlanAccess(const PlanAccess& access, const AssemblyPlan& plan, const AssembledProduct& product,
                      const Console& console) {
   printLine(access, plan.steps, plan.lines, {}, product, console);
-  console.print({GLISSADE_TEXT("%1 of %2 {2|step|steps} {1|is|are} reached and seen by the hand %3"),
+  console.print({GLISSADE_TEXT("%1 of %2 {2|step|steps} {1|is|are} reachable and visible for the hand %3"),
                  {access.reached(), access.count(), kHandSizeNames.of(access.person.size)}});
   console.print(kSampled);
 }

@@ -32,7 +32,7 @@ class CheckProgress {
     const int percent = static_cast<int>(100.0 * share);
     if (!shown_ || percent == percent_) return;
     percent_ = percent;
-    std::cerr << "\r\033[K" << console_.text({GLISSADE_TEXT("%1 % judged"), {percent}}) << std::flush;
+    std::cerr << "\r\033[K" << console_.text({GLISSADE_TEXT("%1 % checked"), {percent}}) << std::flush;
   }
 
  private:
@@ -81,10 +81,10 @@ int checkPath(const CheckOptions& options, const Interrupt& interrupt, const Sto
                        options.console);
   }
   if (options.trustPlan) {
-    return reportError(
-        {ErrorKind::Usage, options.scenario, "--trust-plan",
-         GLISSADE_TEXT("is for assembly plans: a path states no words of a person"), GLISSADE_TEXT("Leave it out.")},
-        options.console);
+    return reportError({ErrorKind::Usage, options.scenario, "--trust-plan",
+                        GLISSADE_TEXT("is for assembly plans: a path states no decisions of the user"),
+                        GLISSADE_TEXT("Leave it out.")},
+                       options.console);
   }
   const auto path = check::readPath(options.path);
   if (!path) return reportError(path.error(), options.console);

@@ -197,7 +197,7 @@ void printCounts(const std::vector<PairFit>& rows, std::size_t bodies, const Con
 }
 
 void printTable(const std::vector<PairFit>& rows, const Volumes& volumes, std::size_t bodies, const Console& console) {
-  const std::string thinnerTitle = console.text(GLISSADE_TEXT("taken thinner"));
+  const std::string thinnerTitle = console.text(GLISSADE_TEXT("allowance"));
   const std::string depthTitle = console.text(GLISSADE_TEXT("gap or overlap"));
   const std::size_t depthWidth = std::max(widthOf(depthCell({}, console)), widthOf(depthTitle));
   // As wide as a usual text is; rare long ones do not widen the table.

@@ -187,7 +187,7 @@ void printProblem(const LoadedScenario& loaded, const Console& console) {
   console.print(
       {GLISSADE_TEXT("workspace  x %1 ... %2, y %3 ... %4, z %5 ... %6 m"),
        {rounded(min.x()), rounded(max.x()), rounded(min.y()), rounded(max.y()), rounded(min.z()), rounded(max.z())}});
-  console.print(std::holds_alternative<GoalOut>(loaded.problem.goal) ? GLISSADE_TEXT("goal       out")
+  console.print(std::holds_alternative<GoalOut>(loaded.problem.goal) ? GLISSADE_TEXT("goal       removed")
                                                                      : GLISSADE_TEXT("goal       a configuration"));
   console.print({GLISSADE_TEXT("planner    %1"), {loaded.scenario.planner}});
   console.print({GLISSADE_TEXT("seed       %1"), {loaded.scenario.seed}});

@@ -93,7 +93,7 @@ void printCounts(const Joints& joints, const AssembledProduct& product, const Co
   }
   if (doubtful > 0) {
     console.print(
-        {GLISSADE_TEXT("joints whose evidence contradicts itself, for a person to decide (?): %1"), {doubtful}});
+        {GLISSADE_TEXT("joints whose evidence contradicts itself, for the user to decide (?): %1"), {doubtful}});
   }
 }
 

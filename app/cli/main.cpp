@@ -82,11 +82,10 @@ void addAcceptClashes(const ParsedCommand& command, FitOptions& options) {
 
 void addFitOptions(const ParsedCommand& command, FitOptions& options, const Message& usual) {
   command
-      .optionFor<std::string>(
-          "--fits", [&options](const std::string& mode) { options.on = mode == "on"; },
-          {GLISSADE_TEXT("Whether bodies that fit where they are assembled are taken thinner against each other: on or "
-                         "off (default: %1)"),
-           {usual}})
+      .optionFor<std::string>("--fits", [&options](const std::string& mode) { options.on = mode == "on"; },
+                              {GLISSADE_TEXT("Whether bodies that fit where they are assembled have an allowance "
+                                             "against each other: on or off (default: %1)"),
+                               {usual}})
       ->check(CLI::IsMember({"on", "off"}));
   addAcceptClashes(command, options);
 }
@@ -104,7 +103,7 @@ ParsedCommand addPlan(const ParsedCommand& app, PlanOptions& options) {
                   "Operator: none, novice, default, expert, simulated-haptic, task-novice, task-expert, misleading or "
                   "replay:FILE"));
   plan.option("--way", options.way,
-              GLISSADE_TEXT("A simulated operator shows the way of this path, not the scenario's way-points"));
+              GLISSADE_TEXT("A simulated operator follows this path, not the scenario's way-points"));
   addParameters(plan, options.parameters);
   plan.app().add_flag_callback(
       "--smooth", [&options] { options.parameters.try_emplace(ParameterId::Smoothing, kUsualShortcuts); },
@@ -121,12 +120,13 @@ ParsedCommand addPlan(const ParsedCommand& app, PlanOptions& options) {
 /// Adds the option that all commands about products have.
 void addWithout(const ParsedCommand& command, std::vector<std::string>& without) {
   command.option("--without", without,
-                 GLISSADE_TEXT("Leave a body or an assembly of the product out: its name (can be repeated)"));
+                 GLISSADE_TEXT("Exclude a body or an assembly of the product: its name (can be repeated)"));
 }
 
 /// Adds the option that all commands about product files have.
 void addOpen(const ParsedCommand& command, std::vector<std::string>& open) {
-  command.option("--open", open, GLISSADE_TEXT("Take a part of several solids as these: its name (can be repeated)"));
+  command.option("--open", open,
+                 GLISSADE_TEXT("Split a part of several solids into these: its name (can be repeated)"));
 }
 
 /// Adds the option of commands that work in several threads and whose results do not depend on their number.
@@ -138,7 +138,7 @@ void addLanes(const ParsedCommand& command, std::size_t& lanes) {
 
 ParsedCommand addCheck(const ParsedCommand& app, CheckOptions& options) {
   const ParsedCommand check =
-      app.subcommand("check", GLISSADE_TEXT("Judge a path or an assembly plan with the independent check"));
+      app.subcommand("check", GLISSADE_TEXT("Check a path or an assembly plan with the independent check"));
   check
       .option("SCENARIO", options.scenario,
               GLISSADE_TEXT("Scenario file or OMPL.app .cfg; of an assembly plan the product, as in sequence"))
@@ -148,13 +148,12 @@ ParsedCommand addCheck(const ParsedCommand& app, CheckOptions& options) {
   check.length(
       std::string(specOf(ParameterId::RequiredClearance).option),
       [&options](double value) { options.requiredClearance = value; },
-      GLISSADE_TEXT("Clearance to prove [m] (default: the scenario's)"));
+      GLISSADE_TEXT("Clearance to certify [m] (default: the scenario's)"));
   addFitOptions(check, options.fits, GLISSADE_TEXT("the scenario's"));
   check.flag("--edges", options.edges, GLISSADE_TEXT("Report the certificate of every edge"));
-  check.flag(
-      "--trust-plan", options.trustPlan,
-      GLISSADE_TEXT("What the plan states itself counts as a person's word: bends, flexible bodies, units, accepted "
-                    "clashes, demands that are given up"));
+  check.flag("--trust-plan", options.trustPlan,
+             GLISSADE_TEXT("What the plan states itself counts as the user's decision: bends, flexible bodies, units, "
+                           "accepted clashes, constraints that are given up"));
   addWithout(check, options.without);
   addOpen(check, options.open);
   addLanes(check, options.lanes);
@@ -221,8 +220,8 @@ void addPartDeflection(const ParsedCommand& command, double& deflection) {
         checkDeflection(value, command);
         deflection = value;
       },
-      GLISSADE_TEXT(
-          "How far triangles may be off the surfaces of a STEP file, as 0.05mm (default: by the size of each part)"));
+      GLISSADE_TEXT("Mesh tolerance: how far triangles may be off the surfaces of a STEP file, as 0.05mm (default: "
+                    "automatic, by the size of each part)"));
 }
 
 ParsedCommand addFits(const ParsedCommand& app, FitsOptions& options) {
@@ -261,9 +260,8 @@ ParsedCommand addJoints(const ParsedCommand& app, JointsOptions& options) {
   joints
       .optionFor<std::string>(
           "--joints", [&options](const std::string& mode) { options.confirmsSuggested = mode == "suggested"; },
-          GLISSADE_TEXT(
-              "suggested: joints that are suggested count as if a person had confirmed them; recognised: they do not "
-              "(default)"))
+          GLISSADE_TEXT("suggested: joints that are suggested count as if the user had confirmed them; recognised: "
+                        "they do not (default)"))
       ->check(CLI::IsMember({"recognised", "suggested"}));
   addPartDeflection(joints, options.deflection);
   addWithout(joints, options.without);
@@ -274,7 +272,8 @@ ParsedCommand addJoints(const ParsedCommand& app, JointsOptions& options) {
 
 ParsedCommand addSequence(const ParsedCommand& app, SequenceOptions& options) {
   const ParsedCommand sequence = app.subcommand(
-      "sequence", GLISSADE_TEXT("Find in which order the parts of a product leave, with a certified motion each"));
+      "sequence",
+      GLISSADE_TEXT("Find in which order the parts of a product are removed, with a certified motion each"));
   sequence
       .option("FILE", options.file,
               GLISSADE_TEXT("Scenario, STEP, IGES or BREP file, an assembly in one (product.step:pump), or URDF file"))
@@ -285,7 +284,7 @@ ParsedCommand addSequence(const ParsedCommand& app, SequenceOptions& options) {
               GLISSADE_TEXT("Seconds after which the plan so far is written to --out"))
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
-  sequence.option("--resume", options.resume, GLISSADE_TEXT("Go on from a plan that has not ended"));
+  sequence.option("--resume", options.resume, GLISSADE_TEXT("Resume a plan that has not ended"));
   sequence.option(
       "--strategy", options.strategy,
       GLISSADE_TEXT("How the order is searched: best-first or greedy (default: best-first, or the resumed plan's)"));
@@ -296,18 +295,18 @@ ParsedCommand addSequence(const ParsedCommand& app, SequenceOptions& options) {
       .option("--time-limit", options.timeLimit,
               GLISSADE_TEXT("Time limit in seconds; the plan found so far is then written; 0: none"))
       ->capture_default_str();
-  sequence.option("--stay", options.staying, GLISSADE_TEXT("Bodies that are not to leave (default: the largest)"));
+  sequence.option("--stay", options.staying,
+                  GLISSADE_TEXT("Bodies fixed as base: they are not removed (default: the largest)"));
   sequence.option("--together", options.together,
-                  GLISSADE_TEXT("Bodies that leave as one: names with commas between them"));
-  sequence.option("--before", options.before, GLISSADE_TEXT("first,then: the first body leaves before the second"));
+                  GLISSADE_TEXT("Bodies that are removed as one: names with commas between them"));
+  sequence.option("--before", options.before, GLISSADE_TEXT("first,then: the first body is removed before the second"));
   sequence.option("--place", options.places,
-                  GLISSADE_TEXT("3,name: the body leaves as the third step; 3,name,name: as one"));
+                  GLISSADE_TEXT("3,name: the body is removed in the third step; 3,name,name: as one"));
   sequence.option("--forbid", options.forbidden,
-                  GLISSADE_TEXT("name,-z or name,0,0,-1: the body does not leave in this direction"));
-  sequence.option(
-      "--joints", options.joints,
-      GLISSADE_TEXT("Joints that the plan keeps to: recognised, suggested (those too that a person would have to "
-                    "confirm) or off (default: the scenario's, or recognised)"));
+                  GLISSADE_TEXT("name,-z or name,0,0,-1: the body is not removed in this direction"));
+  sequence.option("--joints", options.joints,
+                  GLISSADE_TEXT("Joints that the plan respects: recognised, suggested (those too that the user would "
+                                "have to confirm) or off (default: the scenario's, or recognised)"));
   sequence
       .option("--gravity", options.gravity,
               GLISSADE_TEXT("Direction of gravity: x y z (default: the scenario's, or 0 0 -1)"))
@@ -326,13 +325,13 @@ ParsedCommand addSequence(const ParsedCommand& app, SequenceOptions& options) {
 }
 
 ParsedCommand addTimes(const ParsedCommand& app, TimesOptions& options) {
-  const ParsedCommand times =
-      app.subcommand("times", GLISSADE_TEXT("How long the steps of an assembly plan take, also divided over a line"));
+  const ParsedCommand times = app.subcommand(
+      "times", GLISSADE_TEXT("Assembly times: how long the steps of an assembly plan take, also balanced over a line"));
   times.option("FILE", options.product, GLISSADE_TEXT("The product of the plan: a scenario or a STEP file"))
       ->required();
   times.option("PLAN", options.plan, GLISSADE_TEXT("Assembly plan, as 'sequence --out' writes it"))->required();
   times.option("--stations", options.stations,
-               GLISSADE_TEXT("Divide the steps over so many stations, one person each"));
+               GLISSADE_TEXT("Balance the steps over so many stations, one person each"));
   times.option("--table", options.table, GLISSADE_TEXT("File of work times (default: the program's estimates)"));
   times.option("--write-table", options.writeTable,
                GLISSADE_TEXT("Write the table of work times to a file, to be edited"));
@@ -342,10 +341,13 @@ ParsedCommand addTimes(const ParsedCommand& app, TimesOptions& options) {
 
 ParsedCommand addAccess(const ParsedCommand& app, AccessOptions& options) {
   const ParsedCommand access = app.subcommand(
-      "access", GLISSADE_TEXT("Whether a hand gets to a path or to the steps of an assembly plan, and an eye sees"));
-  access.app().footer(access.text(GLISSADE_TEXT(
-      "Hand, forearm and tool are sampled along each motion; this is no proof. Measures: ANSUR II (NATICK/TR-15/007).\n"
-      "Exit codes: 0 all is reached and seen, 1 not all, 2 wrong usage, 3 unreadable input, 130 interrupted.")));
+      "access",
+      GLISSADE_TEXT(
+          "Hand access: whether a hand reaches a path or the steps of an assembly plan, and whether they are visible"));
+  access.app().footer(
+      access.text(GLISSADE_TEXT("Hand, forearm and tool are sampled along each motion; this is no proof. Measures: "
+                                "ANSUR II (NATICK/TR-15/007).\nExit codes: 0 all is reachable and visible, 1 not all, "
+                                "2 wrong usage, 3 unreadable input, 130 interrupted.")));
   access.option("FILE", options.file, GLISSADE_TEXT("The scenario of the path, or the product of the plan"))
       ->required();
   access.option("--path", options.path, {GLISSADE_TEXT("Path of the object: %1"), {readablePathFormats()}});
@@ -355,8 +357,7 @@ ParsedCommand addAccess(const ParsedCommand& app, AccessOptions& options) {
                 "Whose hand: p5f 5th percentile of women, p50 average, p95m 95th percentile of men (default: p50)"));
   access
       .option("--eye", options.eye,
-              GLISSADE_TEXT(
-                  "From where the place is looked at: x y z in metres (default: 17 positions above it are tried)"))
+              GLISSADE_TEXT("Viewpoint on the work: x y z in metres (default: 17 positions above it are tried)"))
       ->expected(3);
   addConsole(access, options.console);
   return access;
@@ -380,7 +381,7 @@ ParsedCommand addConvert(const ParsedCommand& app, ConvertOptions& options) {
 
 ParsedCommand addNew(const ParsedCommand& app, NewOptions& options) {
   const ParsedCommand make = app.subcommand(
-      "new", GLISSADE_TEXT("Make a scenario of part files (meshes, STEP, IGES, BREP, URDF), of which one moves"));
+      "new", GLISSADE_TEXT("Make a scenario of part files (meshes, STEP, IGES, BREP, URDF), with one moving part"));
   make.app().footer(make.text(GLISSADE_TEXT(
       "A part of a STEP file is named behind its file: --moves product.step:pin --static product.step makes a body\n"
       "of every other part. An assembly in the file (product.step:pump) stands for all of its parts; two parts of\n"
@@ -389,10 +390,10 @@ ParsedCommand addNew(const ParsedCommand& app, NewOptions& options) {
       "--moves product.obj:lid --groups\n"
       "--static product.obj makes a body of every other group.")));
   make.option("OUT", options.output, GLISSADE_TEXT("Scenario file to write"))->required();
-  make.option("--moves", options.moving, GLISSADE_TEXT("The part that moves (can be repeated: they move as one)"))
+  make.option("--moves", options.moving, GLISSADE_TEXT("The moving part (can be repeated: they move as one)"))
       ->required()
       ->allow_extra_args(false);
-  make.option("--static", options.statics, GLISSADE_TEXT("Parts that stay where they are"));
+  make.option("--static", options.statics, GLISSADE_TEXT("Static parts: they do not move"));
   make.option("--mobile", options.mobiles, GLISSADE_TEXT("Parts in the way that a person could move"));
   make.length(
       "--unit", [&options](double unit) { options.unit = unit; },
@@ -407,15 +408,15 @@ ParsedCommand addNew(const ParsedCommand& app, NewOptions& options) {
         checkDeflection(deflection, make);
         options.deflection = deflection;
       },
-      GLISSADE_TEXT(
-          "How far the triangles of STEP parts may be off their surfaces, as 0.05mm (default: a thousandth of each "
-          "part's diagonal, from 0.01mm to 0.5mm)"));
-  make.flag("--groups", options.groups, GLISSADE_TEXT("Take each group of an OBJ file (o or g) as a part of its own"));
+      GLISSADE_TEXT("Mesh tolerance: how far the triangles of STEP parts may be off their surfaces, as 0.05mm "
+                    "(default: a thousandth of each part's diagonal, from 0.01mm to 0.5mm)"));
+  make.flag("--groups", options.groups, GLISSADE_TEXT("Split OBJ files: each group (o or g) is a part of its own"));
   make.flag("--close-holes", options.closeHoles, GLISSADE_TEXT("Close the planar holes of meshes, and print how many"));
   addWithout(make, options.without);
   addFitOptions(make, options.fits, Message("on"));
-  make.flag("--clear", options.clear,
-            GLISSADE_TEXT("Move the start clear of the bodies that it touches, and print how far"));
+  make.flag(
+      "--clear", options.clear,
+      GLISSADE_TEXT("Resolve collisions at the start: move it clear of the bodies that it touches, and print how far"));
   return make;
 }
 

@@ -58,7 +58,7 @@ Outcome leaveOut(const NewOptions& options, Scenario& scenario) {
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if (!(*meant)[i]) continue;
     if (i >= others) {
-      return Diagnostic{ErrorKind::Usage, "", "--without", GLISSADE_TEXT("names the part that moves"),
+      return Diagnostic{ErrorKind::Usage, "", "--without", GLISSADE_TEXT("names the moving part"),
                         GLISSADE_TEXT("Name another body.")};
     }
     if (const Outcome left = glissade::leaveOut(ids[i], scenario); !left) return left;

@@ -146,8 +146,7 @@ std::vector<Message> uncertaintiesInWords(const LoadedScenario& scenario, const 
   }
   if (const MissingShapes& missing = scenario.missing; !missing.empty()) lines.push_back(statementOf(missing));
   if (const double deviation = surfaceDeviation(scenario); deviation > 0.0) {
-    lines.push_back({GLISSADE_TEXT("the certificate is about triangles, which are within +/- %1 of the CAD surfaces"),
-                     {Length{deviation}}});
+    lines.push_back({GLISSADE_TEXT("CAD accuracy of the certificate: +/- %1"), {Length{deviation}}});
   }
   if (const double spacing = coordinateSpacing(scenario); spacing > 0.0) {
     lines.push_back({GLISSADE_TEXT("coordinate spacing: mesh files hold 32-bit numbers or were closed at T-junctions, "

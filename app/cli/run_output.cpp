@@ -80,11 +80,11 @@ void printDifficulty(const Difficulty& difficulty, const CollisionWorld& world, 
                    {rounded(1e3 * tightest->clearance), bodyName(world, tightest->body), place(tightest->q)}});
   }
   if (const auto& least = difficulty.leastPenetration) {
-    console.print({GLISSADE_TEXT("with %1 mm given between the object and '%2', at %3, there is a way of %4 "
-                                 "configurations"),
-                   {rounded(1e3 * least->depth), bodyName(world, least->body), place(least->q), least->way.size()}});
+    console.print(
+        {GLISSADE_TEXT("with %1 mm more room between the object and '%2', at %3, there is a path of %4 configurations"),
+         {rounded(1e3 * least->depth), bodyName(world, least->body), place(least->q), least->way.size()}});
   } else {
-    console.print(GLISSADE_TEXT("no erosion of the object that was tried opens a way"));
+    console.print(GLISSADE_TEXT("no erosion of the object that was tried opens a path"));
   }
 }
 

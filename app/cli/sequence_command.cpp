@@ -92,8 +92,8 @@ class ProgressHost final : public SequenceHost {
   void stepFound(const AssemblyPlan& plan) override {
     for (; reported_ < plan.steps.size(); ++reported_) {
       const AssemblyStep& step = plan.steps[reported_];
-      notes_.note({step.with.empty() ? GLISSADE_TEXT("%1 of %2 {2|part|parts}: %3 leaves (%4)")
-                                     : GLISSADE_TEXT("%1 of %2 {2|part|parts}: %3 leave as one (%4)"),
+      notes_.note({step.with.empty() ? GLISSADE_TEXT("%1 of %2 {2|part|parts}: %3 removed (%4)")
+                                     : GLISSADE_TEXT("%1 of %2 {2|part|parts}: %3 removed as one (%4)"),
                    {plan.removed(), plan.parts(), namesOf(step), methodInWords(step.method)}});
     }
     if (file_.empty()) return;
@@ -228,7 +228,7 @@ Result<SequenceDemands> demandsOf(const SequenceOptions& options, SequenceDemand
 
 Diagnostic fitsAreOff(const std::string& file) {
   return {ErrorKind::MalformedInput, file, "/fits",
-          GLISSADE_TEXT("are off, so that no part leaves that touches another one where it is assembled"),
+          GLISSADE_TEXT("are off, so that no part is removed that touches another one where it is assembled"),
           GLISSADE_TEXT("Run again with --fits on, or switch them on in the scenario.")};
 }
 
@@ -246,7 +246,7 @@ Result<AssemblyPlan> resumedPlan(const SequenceOptions& options) {
   const bool other = !options.strategy.empty() && plan->strategy != options.strategy;
   if (other || (options.seed && *options.seed != plan->seed) || !options.staying.empty() || options.deflection > 0.0) {
     return Diagnostic{ErrorKind::Usage, options.resume, "",
-                      GLISSADE_TEXT("has a strategy, a seed, staying bodies and a deflection of its own"),
+                      GLISSADE_TEXT("has a strategy, a seed, a base and a mesh tolerance of its own"),
                       GLISSADE_TEXT("Leave out --strategy, --seed, --stay and --deflection, or plan anew.")};
   }
   const bool demands = !options.together.empty() || !options.before.empty() || !options.gravity.empty() ||
@@ -254,7 +254,7 @@ Result<AssemblyPlan> resumedPlan(const SequenceOptions& options) {
                        !options.joints.empty();
   if (demands && plan->demands != SequenceDemands()) {
     return Diagnostic{
-        ErrorKind::Usage, options.resume, "", GLISSADE_TEXT("has demands of its own"),
+        ErrorKind::Usage, options.resume, "", GLISSADE_TEXT("has constraints of its own"),
         GLISSADE_TEXT(
             "Leave out --together, --before, --place, --forbid, --gravity, --joints and --cost, or plan anew.")};
   }
@@ -338,7 +338,7 @@ void PlanPrinter::printNotes(const AssemblyStep& step, const std::string& before
     printIndented(before, {GLISSADE_TEXT("forced, although: %1"), {text}});
   }
   for (const std::string& id : step.falling) {
-    printIndented(before, {GLISSADE_TEXT("to be held: %1"), {host_.nameOf(id)}});
+    printIndented(before, {GLISSADE_TEXT("support: %1"), {host_.nameOf(id)}});
   }
   for (const Allowance& allowance : step.allowances) {
     printIndented(before, {GLISSADE_TEXT("allowance: %1"), {allowance.text}});
@@ -361,8 +361,8 @@ void PlanPrinter::printLines(const std::vector<SubassemblyLine>& lines, std::siz
                              const std::string& before) const {
   for (const SubassemblyLine& line : lines) {
     const std::string number = stepNumber(steps - line.step, group);
-    printIndented(before,
-                  {GLISSADE_TEXT("the group of step %1 is taken apart off %2:"), {number, namesOf(line.staying, " ")}});
+    printIndented(
+        before, {GLISSADE_TEXT("the group of step %1 is disassembled off %2:"), {number, namesOf(line.staying, " ")}});
     printSteps(line.steps, number, before);
     printStuck(line.stuck, before);
     printLines(line.lines, line.steps.size(), number, before + "  ");
@@ -383,7 +383,7 @@ std::size_t screwHoles(const std::vector<AssemblyStep>& steps, const std::vector
 
 /// "12 of 13 parts leave in 10 steps, every motion certified", with the number of flexible parts without a proof.
 Message stepsInWords(const AssemblyPlan& plan) {
-  const Message steps{GLISSADE_TEXT("%1 of %2 {2|part|parts} {1|leaves|leave} in %3 {3|step|steps}"),
+  const Message steps{GLISSADE_TEXT("%1 of %2 {2|part|parts} removed in %3 {3|step|steps}"),
                       {plan.removed(), plan.parts(), plan.steps.size()}};
   if (plan.removed() == 0) return steps;
   const std::size_t open = plan.removedWithoutProof();
@@ -398,13 +398,13 @@ void PlanPrinter::print(const AssemblyPlan& plan, double seconds) const {
   printStuck(plan.stuck, "");
   if (plan.parts() == 0) {
     console_.print(
-        GLISSADE_TEXT("nothing leaves: every body stays, or a joint holds it to one that stays. See "
+        GLISSADE_TEXT("nothing can be removed: every body is fixed as base, or a joint holds it to the base. See "
                       "'glissade-cli joints', and dissolve a joint in a scenario."));
   }
   const std::size_t apart = bodiesApart(plan);
   if (apart < plan.removed()) {
-    console_.print({GLISSADE_TEXT("%1 of the parts that leave do so in groups that are not taken apart"),
-                    {plan.removed() - apart}});
+    console_.print(
+        {GLISSADE_TEXT("%1 of the removed parts are in groups that are not disassembled"), {plan.removed() - apart}});
   }
   console_.print({GLISSADE_TEXT("%1, computed in %2 s"), {stepsInWords(plan), rounded(seconds)}});
   if (const std::size_t holes = screwHoles(plan.steps, plan.lines); holes > 0) {

@@ -37,8 +37,7 @@ void printTable(const PlanTiming& timing, const AssemblyPlan& plan, const Assemb
 
 /// Prints how the steps are divided over the stations of a line.
 void printLine(const LineBalance& line, const PlanTiming& timing, const Console& console) {
-  console.print({GLISSADE_TEXT("%1 {1|station|stations}: a product every %2 s (no division is faster than %3 s), "
-                               "people work %4 % of the time"),
+  console.print({GLISSADE_TEXT("%1 {1|station|stations}: cycle time %2 s (minimum %3 s), utilization %4 %"),
                  {line.load.size(), fixedDigits(line.cycle, 1), fixedDigits(line.least, 1),
                   fixedDigits(100.0 * line.efficiency(), 1)}});
   for (std::size_t s = 0; s < line.load.size(); ++s) {
@@ -51,7 +50,7 @@ void printText(const PlanTiming& timing, const AssemblyPlan& plan, const Assembl
                const Console& console) {
   printTable(timing, plan, product, console);
   console.print({GLISSADE_TEXT("one person: %1 s"), {fixedDigits(timing.sum(), 1)}});
-  console.print({GLISSADE_TEXT("longest chain: %1 s, steps %2"),
+  console.print({GLISSADE_TEXT("critical path: %1 s, steps %2"),
                  {fixedDigits(timing.chainSeconds(), 1), numbersText(timing.chain)}});
   if (timing.line) printLine(*timing.line, timing, console);
   console.print(kEstimates);

@@ -165,7 +165,7 @@ void MainWindow::connectActions() {
   connect(actions_["view.dark"], &QAction::toggled, this,
           [this](bool dark) { setTheme(dark ? Theme::Dark : Theme::Light); });
   connect(&bench_.work, &WorkController::failed, this,
-          [this](const Diagnostic& why) { messages_.showError(tr("This cannot be done"), why); });
+          [this](const Diagnostic& why) { messages_.showError(tr("Not possible"), why); });
 }
 
 std::optional<Diagnostic> MainWindow::openScenario(const QString& file, bool quiet) {

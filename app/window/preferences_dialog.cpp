@@ -29,7 +29,7 @@ ColourButton::ColourButton(const QString& name, const std::optional<Colour>& col
 void ColourButton::setColour(const std::optional<Colour>& colour) {
   colour_ = colour;
   setIcon(colour ? colourSwatch(toQt(*colour)) : QIcon());
-  setText(colour ? toQt(*colour).name() : tr("As the theme"));
+  setText(colour ? toQt(*colour).name() : tr("Follow theme"));
   setAccessibleName(name_ + QStringLiteral(": ") + text());
 }
 
@@ -68,7 +68,7 @@ PreferencesDialog::PreferencesDialog(const ActionCatalogue& actions, const Prefe
   next->setForegroundRole(QPalette::PlaceholderText);
   form->addRow(QString(), next);
   form->addRow(tr("&Theme"), theme_);
-  form->addRow(tr("&Size of texts"), font_);
+  form->addRow(tr("Font &size"), font_);
   form->addRow(tr("L&engths"), unit_);
   form->addRow(tr("&Navigation"), navigation_);
   form->addRow(tr("Save &unsaved edits every"), autosave_);
@@ -83,7 +83,7 @@ PreferencesDialog::PreferencesDialog(const ActionCatalogue& actions, const Prefe
 }
 
 void PreferencesDialog::fill(const Preferences& present) {
-  language_->addItem(tr("As the desktop"), QString());
+  language_->addItem(tr("Follow system"), QString());
   // Each name is in its own language, so that a person who cannot read the present language finds the other.
   language_->addItem(QStringLiteral("English"), QStringLiteral("en"));
   language_->addItem(QStringLiteral("Français"), QStringLiteral("fr"));
@@ -93,7 +93,7 @@ void PreferencesDialog::fill(const Preferences& present) {
   font_->setDecimals(1);
   font_->setSuffix(tr(" pt"));
   font_->setValue(present.fontPoints);
-  unit_->addItem(tr("As the product's file; else µm, mm and m"), static_cast<int>(LengthUnit::Fitting));
+  unit_->addItem(tr("Follow product file; else µm, mm and m"), static_cast<int>(LengthUnit::Fitting));
   unit_->addItem(tr("Millimetres"), static_cast<int>(LengthUnit::Millimetres));
   unit_->addItem(tr("Inches"), static_cast<int>(LengthUnit::Inches));
   unit_->addItem(tr("Metres"), static_cast<int>(LengthUnit::Metres));
@@ -102,10 +102,10 @@ void PreferencesDialog::fill(const Preferences& present) {
   autosave_->setSuffix(tr(" s"));
   autosave_->setValue(present.autosaveSeconds);
   autosave_->setToolTip(tr("What is not saved is written into the program's data folder, to be offered after a crash"));
-  theme_->addItem(tr("As the desktop"), static_cast<int>(ThemeChoice::Desktop));
+  theme_->addItem(tr("Follow system"), static_cast<int>(ThemeChoice::Desktop));
   theme_->addItem(tr("Light"), static_cast<int>(ThemeChoice::Light));
   theme_->addItem(tr("Dark"), static_cast<int>(ThemeChoice::Dark));
-  theme_->setItemData(0, tr("Light or dark, as the desktop was when the program started"), Qt::ToolTipRole);
+  theme_->setItemData(0, tr("Light or dark, as the system was when the program started"), Qt::ToolTipRole);
   theme_->setCurrentIndex(theme_->findData(static_cast<int>(present.theme)));
   for (const NavigationStyleEntry& entry : kNavigationStyles) {
     const QAction* action = actions_[QLatin1String(entry.action)];

@@ -11,7 +11,7 @@ namespace glissade {
 namespace {
 
 Diagnostic interrupted() {
-  return {ErrorKind::Interrupted, "", "", GLISSADE_TEXT("the access of the hand was not checked to its end"),
+  return {ErrorKind::Interrupted, "", "", GLISSADE_TEXT("hand access was not checked to the end"),
           GLISSADE_TEXT("Start it again.")};
 }
 

@@ -19,7 +19,7 @@ Condition hookBends(const std::string& hook, const std::string& edge, double ben
 }
 
 Condition isFlexible(const std::string& body) {
-  return {{GLISSADE_TEXT("'%1' is flexible, so that its motion needs no proof"), {body}}};
+  return {{GLISSADE_TEXT("'%1' is flexible, so that its motion needs no certificate"), {body}}};
 }
 
 Condition noJointsAreUsed() { return {GLISSADE_TEXT("no joints are used")}; }
@@ -30,15 +30,15 @@ Condition comesApart(const std::string& body, const std::string& other) {
 
 Condition areOneUnit(const Message& bodies) { return {{GLISSADE_TEXT("%1 are one unit"), {bodies}}}; }
 
-Condition areFixedAsBase(const Message& bodies) { return {{GLISSADE_TEXT("%1 stay as the base"), {bodies}}}; }
+Condition areFixedAsBase(const Message& bodies) { return {{GLISSADE_TEXT("%1 are fixed as base"), {bodies}}}; }
 
 Condition leavesBefore(const std::string& body, const std::string& other) {
-  return {{GLISSADE_TEXT("'%1' may leave before '%2', although the reverse is demanded"), {body, other}}};
+  return {{GLISSADE_TEXT("'%1' may be removed before '%2', although a constraint states the reverse"), {body, other}}};
 }
 
 Condition leavesAs(const std::string& body, std::size_t number, std::size_t demanded) {
-  return {
-      {GLISSADE_TEXT("'%1' may leave as number %2, although it is demanded as number %3"), {body, number, demanded}}};
+  return {{GLISSADE_TEXT("'%1' may be removed as number %2, although a constraint states number %3"),
+           {body, number, demanded}}};
 }
 
 Condition hasPitch(const std::string& body, const std::string& other, double pitch, double diameter) {
@@ -47,7 +47,7 @@ Condition hasPitch(const std::string& body, const std::string& other, double pit
 }
 
 Condition hasOtherPitch(const std::string& body, const std::string& other, double pitch, double said) {
-  return {{GLISSADE_TEXT("the thread of '%1' in '%2' has a pitch of %3, although a person says %4"),
+  return {{GLISSADE_TEXT("the thread of '%1' in '%2' has a pitch of %3, although the user states %4"),
            {body, other, Length{pitch}, Length{said}}}};
 }
 

@@ -323,10 +323,9 @@ Message MotionCheck::whyUndecided(const Pose& from, const Pose& to, double requi
         "the rounding of coordinates of this size is not small against the required clearance; move the scene to "
         "the origin, or require more clearance");
   }
-  return {
-      GLISSADE_TEXT("the clearance is so close to the required one that %1 comparisons of triangles do not prove it; "
-                    "require less clearance, or divide the edge"),
-      {EdgeProof::kMostCompared}};
+  return {GLISSADE_TEXT("the clearance is so close to the required one that %1 comparisons of triangles do not certify "
+                        "it; require less clearance, or divide the edge"),
+          {EdgeProof::kMostCompared}};
 }
 
 /// Works in the scaled geometry. A motion that is straight, or nearly so, is proved by the volume that the object

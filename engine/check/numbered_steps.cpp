@@ -45,8 +45,8 @@ void numberBodies(const Product& product, const StepList& list, Present& left, N
       continue;
     }
     const auto index = static_cast<std::size_t>(body - product.bodies.begin());
-    if (stays) numbered.wrong.push_back({GLISSADE_TEXT("it moves '%1', which is said to stay"), {id}});
-    if (left[index]) numbered.wrong.push_back({GLISSADE_TEXT("it moves '%1', which has left before"), {id}});
+    if (stays) numbered.wrong.push_back({GLISSADE_TEXT("it moves '%1', which is fixed as base"), {id}});
+    if (left[index]) numbered.wrong.push_back({GLISSADE_TEXT("it moves '%1', which was removed before"), {id}});
     if (!list.there[index]) numbered.wrong.push_back({GLISSADE_TEXT("it moves '%1', which is not in the group"), {id}});
     left[index] = true;
     numbered.group.push_back(index);

@@ -80,7 +80,7 @@ void PairWork::applyStatements(Thread& thread, const std::optional<double>& stat
   const std::optional<double> said = word != nullptr ? word->pitch : std::nullopt;
   if (said && stated && std::abs(*said - *stated) > 1e-9) {
     fit.refusals.push_back(
-        {GLISSADE_TEXT("'%1' and '%2': the file's pitch is not the one that a person gives for the thread"),
+        {GLISSADE_TEXT("'%1' and '%2': the file's pitch is not the one that the user gives for the thread"),
          {question.moving.name, question.other.name}});
   }
   thread.pitch = said ? *said : stated.value_or(pitchOfPath(question.path, thread));

@@ -24,8 +24,8 @@ void compareBodies(const Product& product, const Plan& plan, std::vector<Message
   std::set<std::string> staying;
   for (const std::string& id : plan.staying) {
     if (listed.count(id) == 0)
-      wrong.push_back({GLISSADE_TEXT("'%1' is said to stay and is none of the plan's bodies"), {id}});
-    if (!staying.insert(id).second) wrong.push_back({GLISSADE_TEXT("'%1' is said to stay twice"), {id}});
+      wrong.push_back({GLISSADE_TEXT("'%1' is fixed as base and is none of the plan's bodies"), {id}});
+    if (!staying.insert(id).second) wrong.push_back({GLISSADE_TEXT("'%1' is fixed as base twice"), {id}});
   }
 }
 
@@ -47,7 +47,7 @@ void findNamesOfNothing(const Product& product, const Demands& demands, std::vec
   for (const std::string& name : std::set<std::string>(names.begin(), names.end())) {
     if (!bodiesNamed(product, name).empty()) continue;
     wrong.push_back(
-        {GLISSADE_TEXT("a demand is about '%1', which no body or assembly is called: it is not judged"), {name}});
+        {GLISSADE_TEXT("a constraint is about '%1', which is no body or assembly: it is not checked"), {name}});
   }
 }
 
@@ -81,7 +81,7 @@ std::vector<Message> wrongClaims(const Product& product, const Plan& plan, std::
   }
   if (plan.end == "complete" && parts == 0) {
     wrong.emplace_back(
-        GLISSADE_TEXT("the plan is called complete, and all of its bodies stay: nothing is taken apart"));
+        GLISSADE_TEXT("the plan is called complete, and all of its bodies are fixed as base: nothing is disassembled"));
   } else if (plan.end == "complete" && removed < parts) {
     wrong.push_back({GLISSADE_TEXT("the plan is called complete, and %1 of %2 {2|part|parts} {1|has|have} no step"),
                      {parts - removed, parts}});

@@ -36,7 +36,7 @@ Message againstDirections(const Step& step, const Group& group, const Present& t
       const Pose X_PB = inverse(step.path.front().q) * own.X_WB;
       for (const Point& point : step.path) ofBody.push_back(point.q * X_PB);
       if (keepsOut(forbidden, ofBody)) continue;
-      return {GLISSADE_TEXT("'%1' moves in a direction that is forbidden to it before it is clear of what it touched"),
+      return {GLISSADE_TEXT("'%1' moves in a direction that is ruled out for it before it is clear of what it touched"),
               {own.name}};
     }
   }
@@ -82,7 +82,10 @@ BrokenDemands brokenDemands(const Step& step, const Group& group, const Present&
       if (says(step, "before", product.bodies[body].id)) {
         broken.givenUp.push_back(leavesBefore(nameOf(group, product), name));
       } else {
-        refuse({GLISSADE_TEXT("'%1' is demanded to leave before, and the step does not say that it does not"), {name}});
+        refuse(
+            {GLISSADE_TEXT(
+                 "a constraint states that '%1' is removed before, and the step does not state that this is given up"),
+             {name}});
       }
     }
   }
@@ -92,19 +95,20 @@ BrokenDemands brokenDemands(const Step& step, const Group& group, const Present&
         std::any_of(together.begin(), together.end(), [&](std::size_t body) { return contains(group, body); });
     const bool all = std::all_of(together.begin(), together.end(),
                                  [&](std::size_t body) { return contains(group, body) || !there[body]; });
-    if (some && !all) refuse(GLISSADE_TEXT("it is demanded to leave together with others, which stay behind"));
+    if (some && !all) refuse(GLISSADE_TEXT("a constraint removes it together with others, which stay behind"));
   }
   for (const Demands::Place& demanded : demands.places) {
     if (bodiesOf(demanded.bodies, product) != group || demanded.place == number) continue;
     if (says(step, "place", "")) {
       broken.givenUp.push_back(leavesAs(nameOf(group, product), number, demanded.place));
     } else {
-      refuse({GLISSADE_TEXT("it is demanded as number %1, and is number %2 of the removal"), {demanded.place, number}});
+      refuse({GLISSADE_TEXT("a constraint states number %1, and it is number %2 of the removal"),
+              {demanded.place, number}});
     }
   }
   for (const Demands::Motion& demanded : demands.motions) {
     if (bodiesOf(demanded.bodies, product) != group) continue;
-    if (!isSameMotion(demanded.path, step.path)) refuse(GLISSADE_TEXT("another motion is demanded of it"));
+    if (!isSameMotion(demanded.path, step.path)) refuse(GLISSADE_TEXT("a constraint states another motion for it"));
   }
   return broken;
 }

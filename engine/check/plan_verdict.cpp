@@ -51,7 +51,7 @@ std::vector<Message> wrongLine(const Line& line, const std::vector<Step>& above)
   }
   for (const std::string& id : line.staying) {
     if (std::find(group.begin(), group.end(), id) != group.end()) continue;
-    wrong.push_back({GLISSADE_TEXT("'%1' is said to stay and is not in the group"), {id}});
+    wrong.push_back({GLISSADE_TEXT("'%1' is fixed as base and is not in the group"), {id}});
   }
   return wrong;
 }

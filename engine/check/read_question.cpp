@@ -214,7 +214,7 @@ Result<Product> productOfParts(const std::string& text, double deflection, const
     if (!stated) return stated.error();
     if (!takeFiner(product.bodies, stated->bodies, deflection)) {
       product.warnings.push_back({ErrorKind::MalformedInput, text, "",
-                                  GLISSADE_TEXT("is judged with the usual deflection of its parts"),
+                                  GLISSADE_TEXT("is checked with the automatic mesh tolerance of its parts"),
                                   GLISSADE_TEXT("The plan states a coarser one.")});
     }
   }
@@ -291,8 +291,8 @@ Result<ReadScenario> readScenario(const std::string& file, const StopToken& stop
     read.warnings.push_back({ErrorKind::MalformedInput,
                              file,
                              {GLISSADE_TEXT("'%1'"), {body.name}},
-                             GLISSADE_TEXT("is left out"),
-                             GLISSADE_TEXT("Proofs are about the product without it.")});
+                             GLISSADE_TEXT("is excluded"),
+                             GLISSADE_TEXT("Certificates are about the product without it.")});
   }
   return read;
 }
@@ -360,7 +360,7 @@ Result<Product> readProduct(const std::string& file, double deflection, const Fi
   if (isPart) fits.applyTo(product.fits);
   if (product.bodies.size() < 2) {
     return Diagnostic{ErrorKind::MalformedInput, file, "",
-                      GLISSADE_TEXT("holds one body: there is nothing to take apart"),
+                      GLISSADE_TEXT("holds one body: there is nothing to disassemble"),
                       GLISSADE_TEXT("Give a product of several parts.")};
   }
   centre(product.bodies);
@@ -382,8 +382,8 @@ Outcome leaveOut(const std::vector<std::string>& names, Product& product) {
     product.warnings.push_back({ErrorKind::MalformedInput,
                                 "",
                                 {GLISSADE_TEXT("'%1'"), {product.bodies[i].name}},
-                                GLISSADE_TEXT("is left out"),
-                                GLISSADE_TEXT("Proofs are about the product without it.")});
+                                GLISSADE_TEXT("is excluded"),
+                                GLISSADE_TEXT("Certificates are about the product without it.")});
     std::erase_if(product.fits.pairs, [&](const PairWord& word) { return word.a == ids[i] || word.b == ids[i]; });
   }
   product.bodies = std::move(rest);

@@ -63,13 +63,13 @@ class Numbers {
 
  private:
   void refuse(const char* key, const MessageArgument& stated, const MessageArgument& found) {
-    wrong_.push_back({GLISSADE_TEXT("it states \"%1\": %2, and the judge finds %3"), {key, stated, found}});
+    wrong_.push_back({GLISSADE_TEXT("it states \"%1\": %2, and the independent check finds %3"), {key, stated, found}});
   }
 
   /// `of`: the joint or the allowance that the number belongs to.
   void refuse(const char* key, double stated, const MessageArgument& found, const Message& of) {
-    wrong_.push_back(
-        {GLISSADE_TEXT("it states \"%1\": %2 of %3, and the judge finds %4"), {key, shortText(stated), of, found}});
+    wrong_.push_back({GLISSADE_TEXT("it states \"%1\": %2 of %3, and the independent check finds %4"),
+                      {key, shortText(stated), of, found}});
   }
 
   const Body* bodyOf(const std::string& id) const {
@@ -118,7 +118,7 @@ class Numbers {
     if (proof.minClearance && proof.provedClearance &&
         *proof.minClearance < (1.0 - kClearanceShare) * *proof.provedClearance) {
       refuse("min_clearance_m", shortText(*proof.minClearance),
-             Message{GLISSADE_TEXT("at least the proved %1"), {shortText(*proof.provedClearance)}});
+             Message{GLISSADE_TEXT("at least the certified %1"), {shortText(*proof.provedClearance)}});
     }
     if (proof.minClearance && std::isfinite(met) && !std::isfinite(*proof.minClearance)) {
       refuse("min_clearance_m", "null", atMost(met));
@@ -174,7 +174,7 @@ class Numbers {
       const SnapWord* snap = question_.product.fits.snapOf(joint.body, other);
       const double bend = snap == nullptr ? 0.0 : snap->bend;
       if (isNear(*joint.bend, bend, kEstimate, kLeastLength)) continue;
-      const MessageArgument noWord = GLISSADE_TEXT("no word about a bend");
+      const MessageArgument noWord = GLISSADE_TEXT("no statement about a bend");
       refuse("bend_m", *joint.bend, snap == nullptr ? noWord : shortText(bend), of);
     }
   }

@@ -302,7 +302,7 @@ class StepJudge {
     for (const TurnedThread& each : turnedThreads(threads, asked.path)) judgePitch(asked, each, verdict);
     const Message pulled = pulledThread(threads, asked.path);
     if (pulled.empty()) return;
-    const Message what{GLISSADE_TEXT("'%1' is pulled off '%2' without a turn: %3"),
+    const Message what{GLISSADE_TEXT("'%1' is pulled off '%2' without being unscrewed: %3"),
                        {asked.moving.name, asked.other.name, pulled}};
     const Message may = mayBePulled(asked, fit, verdict);
     if (may.empty()) {
@@ -318,7 +318,7 @@ class StepJudge {
       return GLISSADE_TEXT("their meshes state no cylinders");
     }
     if (Message said = product_.fits.partingOf(asked.moving.id, asked.other.id); !said.empty()) return said;
-    if (fit.acceptedClash) return GLISSADE_TEXT("a person accepts their clash");
+    if (fit.acceptedClash) return GLISSADE_TEXT("the user accepts their clash");
     return partingByPlan(asked, verdict);
   }
 
@@ -349,9 +349,10 @@ class StepJudge {
       if (watch_.stop.stopRequested()) continue;
       const Body& obstacle = product_.bodies[other];
       if (!numbered_.mayBeThere[other] || moves) {
-        refuseStated(own, obstacle,
-                     moves ? GLISSADE_TEXT("they leave together") : GLISSADE_TEXT("the other one has left before"),
-                     verdict);
+        refuseStated(
+            own, obstacle,
+            moves ? GLISSADE_TEXT("they are removed together") : GLISSADE_TEXT("the other one was removed before"),
+            verdict);
         continue;
       }
       const double apart = sweep.exteriorDistance(boundingBox(*obstacle.mesh, obstacle.X_WB));

@@ -57,7 +57,7 @@ void takeCore(const std::vector<StatedAllowance>& stated, PairWork& work) {
   if (stated.size() > 1 || !claim.core)
     return refuse(GLISSADE_TEXT("a thread is taken away of one body of a pair, and nothing else"));
   if (work.word != nullptr && !work.word->kind.empty() && !work.word->isThread())
-    return refuse(GLISSADE_TEXT("a person says that the pair is no thread"));
+    return refuse(GLISSADE_TEXT("the user states that the pair is no thread"));
   Thread thread = threadOf(*claim.core);
   thread.movingIsShaft = !claim.yields;
   Result<ThreadCore> core = findCore(work, thread);

@@ -40,7 +40,7 @@ Message isCut(const Body& body) { return {GLISSADE_TEXT("'%1' is the one that is
 /// The reason why the body that the file cuts may not be cut; empty if it may.
 Message wrongCut(Cut cut, bool yields, const PairWork& work) {
   switch (cut) {
-    case Cut::NotClear: return GLISSADE_TEXT("which of the two is cut is not clear, and no person names it");
+    case Cut::NotClear: return GLISSADE_TEXT("which of the two is cut is not clear, and the user does not name it");
     case Cut::NotWhole: return GLISSADE_TEXT("what would be left of it is not one piece as before");
     case Cut::One: return yields ? isCut(work.question.moving) : Message();
     case Cut::Other: return yields ? Message() : isCut(work.question.other);
@@ -92,9 +92,9 @@ void takeHollow(const std::vector<StatedAllowance>& stated, PairWork& work) {
   };
   if (stated.size() != 2 || guest.hollow || host.yields == guest.yields || host.core || host.thread || guest.thread)
     return refuse(
-        host, GLISSADE_TEXT("what overlaps is taken away of one body of a pair, and the other one is taken thinner"));
+        host, GLISSADE_TEXT("what overlaps is taken away of one body of a pair, and the other one has the allowance"));
   if (work.word != nullptr && work.word->isThread())
-    return refuse(host, GLISSADE_TEXT("a person says that the pair is a thread"));
+    return refuse(host, GLISSADE_TEXT("the user states that the pair is a thread"));
   work.findBounds(work.word);
   work.fit = {};
   const Overlapping at = deepestEnd(work);

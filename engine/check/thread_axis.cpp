@@ -85,7 +85,7 @@ Result<Thread> threadAxis(const PlacedBody& moving, const PlacedBody& other,
   }
   if (best) return *best;
   return noThread(
-      GLISSADE_TEXT("a person calls the pair a thread, but no shaft of the one is on the axis of a hole of the other"),
+      GLISSADE_TEXT("the user calls the pair a thread, but no shaft of the one is on the axis of a hole of the other"),
       GLISSADE_TEXT("Give the pair another kind."));
 }
 

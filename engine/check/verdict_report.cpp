@@ -68,12 +68,12 @@ Message threadInWords(const PathVerdict& verdict, const Question& question) {
   const Nearest& nearest = verdict.motion.verdict.nearest;
   if (!verdict.motion.verdict.againstThread || nearest.body < 0) return {};
   const Body& other = question.product.bodies[static_cast<std::size_t>(nearest.body)];
-  const Message words{GLISSADE_TEXT("'%1' and '%2' are a thread, which comes apart by turning only"),
+  const Message words{GLISSADE_TEXT("'%1' and '%2' are a thread, which can only be unscrewed"),
                       {question.object().name, other.name}};
   for (const AppliedAllowance& each : verdict.allowances) {
     if (!each.thread || each.other != other.id) continue;
     if (!each.thread->mayTurn) {
-      return {GLISSADE_TEXT("%1: '%2' is turned, and has to leave first"), {words, other.name}};
+      return {GLISSADE_TEXT("%1: '%2' is unscrewed, and has to be removed first"), {words, other.name}};
     }
     return {GLISSADE_TEXT("%1: each turn about its axis advances by %2"), {words, Length{each.thread->pitch}}};
   }
@@ -210,7 +210,7 @@ Message headlineOf(const PathVerdict& verdict, const Question& question) {
 void addForbidden(const PathVerdict& verdict, const Question& question, std::vector<Message>& lines) {
   const Length margin{verdict.forbiddenMargin};
   if (verdict.forbidden) {
-    lines.push_back({GLISSADE_TEXT("edge %1 meets the place '%2', which a person forbids, or its margin of %3"),
+    lines.push_back({GLISSADE_TEXT("edge %1 meets the forbidden place '%2', or its margin of %3"),
                      {verdict.forbidden->edge, verdict.forbidden->place, margin}});
   } else if (verdict.forbiddenMargin > 0.0) {
     lines.push_back(
@@ -233,8 +233,7 @@ std::string reportText(const PathVerdict& verdict, const Question& question, boo
   addForbidden(verdict, question, lines);
   if (!product.missing.empty()) lines.push_back(statementOf(product.missing));
   if (verdict.deviation > 0.0) {
-    lines.push_back({GLISSADE_TEXT("the certificate is about triangles, which are within +/- %1 of the CAD surfaces"),
-                     {Length{verdict.deviation}}});
+    lines.push_back({GLISSADE_TEXT("CAD accuracy of the certificate: +/- %1"), {Length{verdict.deviation}}});
   }
   if (verdict.spacing > 0.0) {
     lines.push_back({GLISSADE_TEXT("coordinate spacing: mesh files hold 32-bit numbers or were closed at T-junctions, "
@@ -339,7 +338,7 @@ void addStep(const StepVerdict& step, const std::string& number, bool isTrusted,
          {number, body, each.text}});
   }
   if (step.isFlexible) {
-    lines.push_back({GLISSADE_TEXT("step %1 (%2): nothing is proved of its motion, it is flexible"), {number, body}});
+    lines.push_back({GLISSADE_TEXT("step %1 (%2): its motion has no certificate, it is flexible"), {number, body}});
   }
   if (!step.valid()) {
     lines.push_back({step.refused() ? GLISSADE_TEXT("step %1 (%2) is invalid: %3;")
@@ -350,8 +349,8 @@ void addStep(const StepVerdict& step, const std::string& number, bool isTrusted,
 
 /// How many steps are proved; how many parts leave, in which way, and how many have no step.
 Message countsInWords(const PlanVerdict& verdict) {
-  const Message parts{GLISSADE_TEXT("%1 of %2 {2|part|parts} {1|has|have} no step, %3 {3|leaves|leave} alone, %4 as "
-                                    "units, %5 in groups that are not taken apart"),
+  const Message parts{GLISSADE_TEXT("%1 of %2 {2|part|parts} {1|has|have} no step, %3 {3|is|are} removed alone, %4 as "
+                                    "units, %5 in groups that are not disassembled"),
                       {verdict.remaining, verdict.parts, verdict.alone, verdict.asUnits, verdict.inGroups}};
   return {verdict.stepsWithoutProof() == 0 ? GLISSADE_TEXT("%1 of %2 {2|step|steps} {1|is|are} certified, %3")
                                            : GLISSADE_TEXT("%1 of %2 {2|step|steps} {1|is|are} as stated, %3"),
@@ -381,7 +380,7 @@ void addConditions(const PlanVerdict& verdict, std::vector<Message>& lines) {
   if (conditions.empty() || verdict.planIsTrusted) return;
   for (const Condition& each : conditions) lines.push_back({GLISSADE_TEXT("condition: %1"), {each.text}});
   lines.push_back(GLISSADE_TEXT(
-      "Nobody but the plan says so. State the conditions in the scenario, or trust the plan (--trust-plan)."));
+      "Only the plan states this. State the conditions in the scenario, or trust the plan (--trust-plan)."));
 }
 
 /// Number of screws that leave holes which the file does not have.
@@ -422,7 +421,7 @@ std::string reportText(const PlanVerdict& verdict, const Product& product, const
   lines.push_back(headlineOf(verdict, product));
   addConditions(verdict, lines);
   if (verdict.stepsWithoutProof() > 0) {
-    lines.push_back({GLISSADE_TEXT("%1 {1|step of a flexible body has|steps of flexible bodies have} no proof"),
+    lines.push_back({GLISSADE_TEXT("%1 {1|step of a flexible body has|steps of flexible bodies have} no certificate"),
                      {verdict.stepsWithoutProof()}});
   }
   if (!product.missing.empty()) lines.push_back(statementOf(product.missing));
@@ -432,8 +431,7 @@ std::string reportText(const PlanVerdict& verdict, const Product& product, const
   }
   if (const auto overlaps = plainOverlapsOf(verdict); !overlaps.empty()) lines.push_back(inWords(overlaps));
   if (verdict.deviation > 0.0) {
-    lines.push_back({GLISSADE_TEXT("the certificates are about triangles, which are within +/- %1 of the CAD surfaces"),
-                     {Length{verdict.deviation}}});
+    lines.push_back({GLISSADE_TEXT("CAD accuracy of the certificates: +/- %1"), {Length{verdict.deviation}}});
   }
   return textOf(lines, style);
 }

@@ -323,7 +323,7 @@ PairBounds boundsOf(const MeasuredBody& one, const MeasuredBody& other, const Fi
 }
 
 Message clashRefused(double depth) {
-  return {GLISSADE_TEXT("they overlap by %1, which is a clash that nobody accepted"), {Depth{depth}}};
+  return {GLISSADE_TEXT("they overlap by %1, a clash that is not accepted"), {Depth{depth}}};
 }
 
 AllowanceBound larger(const AllowanceBound& a, const AllowanceBound& b) {

@@ -18,15 +18,15 @@ const SnapWord* FitWords::snapOf(const std::string& a, const std::string& b) con
 }
 
 Message FitWords::partingOf(const std::string& a, const std::string& b) const {
-  if (partings.anyPair) return GLISSADE_TEXT("a person uses no joints");
+  if (partings.anyPair) return GLISSADE_TEXT("the user uses no joints");
   const std::pair<std::string, std::string> pair = std::minmax(a, b);
   if (std::find(partings.pairs.begin(), partings.pairs.end(), pair) != partings.pairs.end()) {
-    return GLISSADE_TEXT("a person has dissolved their joint, or has it pressed out");
+    return GLISSADE_TEXT("the user has dissolved their joint, or has it pressed out");
   }
   const PairWord* word = about(a, b);
   if (word == nullptr || word->isThread()) return {};
-  if (!word->kind.empty()) return {GLISSADE_TEXT("a person calls the pair '%1'"), {word->kind}};
-  return word->accepted ? Message(GLISSADE_TEXT("a person accepts their clash")) : Message();
+  if (!word->kind.empty()) return {GLISSADE_TEXT("the user calls the pair '%1'"), {word->kind}};
+  return word->accepted ? Message(GLISSADE_TEXT("the user accepts their clash")) : Message();
 }
 
 const PairWord* FitWords::about(const std::string& a, const std::string& b) const {

@@ -132,7 +132,8 @@ Outcome removeBody(const std::string& bodyId, Scenario& scenario) {
 Outcome leaveOut(const std::string& bodyId, Scenario& scenario) {
   for (const BodyDescription& moving : scenario.object.bodies) {
     if (moving.id == bodyId)
-      return refusal(placeOf(bodyId), GLISSADE_TEXT("is what moves"), GLISSADE_TEXT("Choose another object first."));
+      return refusal(placeOf(bodyId), GLISSADE_TEXT("is the moving part"),
+                     GLISSADE_TEXT("Choose another object first."));
   }
   auto body = taken(bodyId, scenario.bodies);
   if (!body) return noSuchBody(bodyId);
@@ -152,7 +153,7 @@ Outcome putBack(const std::string& bodyId, Scenario& scenario) {
 Outcome swapEnds(Scenario& scenario) {
   Pose* goal = std::get_if<Pose>(&scenario.goal);
   if (goal == nullptr)
-    return refusal(GLISSADE_TEXT("goal"), GLISSADE_TEXT("the goal is \"out\", which has no position"),
+    return refusal(GLISSADE_TEXT("goal"), GLISSADE_TEXT("the goal is \"removed\", which has no position"),
                    GLISSADE_TEXT("Give the goal a position first."));
   std::swap(scenario.start, *goal);
   return Done{};
@@ -166,7 +167,8 @@ bool isObject(const std::vector<std::string>& bodyIds, const Scenario& scenario)
 }
 
 Outcome markMoving(const std::vector<std::string>& bodyIds, const LoadedScenario& loaded, Scenario& scenario) {
-  if (bodyIds.empty()) return refusal("", GLISSADE_TEXT("no body is chosen"), GLISSADE_TEXT("Choose what moves."));
+  if (bodyIds.empty())
+    return refusal("", GLISSADE_TEXT("no body is selected"), GLISSADE_TEXT("Select the moving part."));
   if (isObject(bodyIds, scenario))
     return refusal("", GLISSADE_TEXT("this is the object already"), GLISSADE_TEXT("Choose other bodies."));
   const std::vector<BodyDescription> before = placedBodiesOf(scenario.object, loaded, scenario.start);

@@ -276,7 +276,7 @@ Result<Scenario> scenarioOfParts(const std::vector<PartFile>& files, GeometryCac
   if (!entries) return entries.error();
   const std::vector<PartFile>& parts = *entries;
   if (std::none_of(parts.begin(), parts.end(), moves)) {
-    return usage("", GLISSADE_TEXT("no part moves"), GLISSADE_TEXT("Choose the part that moves."));
+    return usage("", GLISSADE_TEXT("no part is the moving part"), GLISSADE_TEXT("Choose the moving part."));
   }
   Scenario scenario;
   PartAdder adder(scenario, "");
@@ -310,7 +310,7 @@ Result<Scenario> withParts(Scenario scenario, const std::string& scenarioFile, c
                            GeometryCache* read, const StopToken& stop) {
   if (const Outcome sound = checkParts(files); !sound) return sound.error();
   if (const auto moving = std::find_if(files.begin(), files.end(), moves); moving != files.end()) {
-    return usage(moving->path, GLISSADE_TEXT("cannot be what moves: the scenario has its object"),
+    return usage(moving->path, GLISSADE_TEXT("cannot be the moving part: the scenario has one"),
                  GLISSADE_TEXT("Make it static or mobile."));
   }
   GeometryCache known = read != nullptr ? *read : GeometryCache();

@@ -227,10 +227,10 @@ class PlanReader {
     AssemblyStep step;
     const JsonCursor bodies = at.at("bodies");
     std::vector<std::string> ids = readIds(bodies);
-    if (ids.empty()) bodies.fail(GLISSADE_TEXT("is empty"), GLISSADE_TEXT("Name the bodies that leave."));
+    if (ids.empty()) bodies.fail(GLISSADE_TEXT("is empty"), GLISSADE_TEXT("Name the bodies that are removed."));
     std::set<std::string> gone = gone_;
     for (std::size_t i = 0; i < ids.size(); ++i) {
-      if (!gone.insert(ids[i]).second) bodies.element(i).fail(GLISSADE_TEXT("stays, or has left before"));
+      if (!gone.insert(ids[i]).second) bodies.element(i).fail(GLISSADE_TEXT("is fixed as base, or was removed before"));
     }
     step.body = ids.front();
     step.with.assign(ids.begin() + 1, ids.end());
@@ -362,7 +362,7 @@ class PlanReader {
     at.allowOnly({"part", "blocked_by", "reason", "reason_message"});
     StuckBody stuck{readId(at.at("part")), readIds(at.at("blocked_by"))};
     stuck.reason = readReason(at);
-    if (gone_.count(stuck.body) != 0) at.at("part").fail(GLISSADE_TEXT("stays, or has left"));
+    if (gone_.count(stuck.body) != 0) at.at("part").fail(GLISSADE_TEXT("is fixed as base, or was removed"));
     return stuck;
   }
 

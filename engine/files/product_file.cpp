@@ -87,7 +87,7 @@ Result<ProductFile> readProduct(const std::string& file, const StopToken& stop, 
   const bool isPart = isPartFile(usualPart(file).path);
   if (!isPart && deflection > 0.0) {
     return Diagnostic{ErrorKind::Usage, file, "",
-                      GLISSADE_TEXT("is a scenario, which states the deflection of each of its assets"),
+                      GLISSADE_TEXT("is a scenario, which states the mesh tolerance of each of its assets"),
                       GLISSADE_TEXT("Change \"deflection\" of the asset there, or give the part file.")};
   }
   if (!isPart && !choice.open.empty()) {
@@ -105,8 +105,8 @@ Diagnostic isLeftOut(const std::string& name) {
   return {ErrorKind::MalformedInput,
           "",
           {GLISSADE_TEXT("'%1'"), {name}},
-          GLISSADE_TEXT("is left out"),
-          GLISSADE_TEXT("Proofs are about the product without it.")};
+          GLISSADE_TEXT("is excluded"),
+          GLISSADE_TEXT("Certificates are about the product without it.")};
 }
 
 Outcome leaveOut(const std::vector<std::string>& names, ProductFile& loaded) {
@@ -154,12 +154,12 @@ Result<ProductFile> loadProduct(const std::string& file, const StopToken& stop, 
         ErrorKind::MalformedInput,
         file,
         "",
-        GLISSADE_TEXT("holds one part of several solids: there is nothing to take apart"),
+        GLISSADE_TEXT("holds one part of several solids: there is nothing to disassemble"),
         {GLISSADE_TEXT("Give a product of several parts, or take it as its solids: --open %1."), {lastStepOf(file)}}};
   }
   if (loaded->product.bodies.size() < 2) {
     return Diagnostic{ErrorKind::MalformedInput, file, "",
-                      GLISSADE_TEXT("holds one body: there is nothing to take apart"),
+                      GLISSADE_TEXT("holds one body: there is nothing to disassemble"),
                       GLISSADE_TEXT("Give a product of several parts.")};
   }
   loaded->product.bodies = aboutTheirMiddles(std::move(loaded->product.bodies));

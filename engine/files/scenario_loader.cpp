@@ -226,8 +226,8 @@ std::optional<Diagnostic> leftOutWarning(const Scenario& scenario, const std::st
   return Diagnostic{ErrorKind::MalformedInput,
                     file,
                     "/left_out",
-                    {GLISSADE_TEXT("leaves bodies out: %1"), {joined(names, ", ")}},
-                    GLISSADE_TEXT("Proofs are about the product without them.")};
+                    {GLISSADE_TEXT("excludes bodies: %1"), {joined(names, ", ")}},
+                    GLISSADE_TEXT("Certificates are about the product without them.")};
 }
 
 MissingShapes missingShapesIn(const GeometryCache& read, const Scenario& scenario, const std::string& folder) {

@@ -126,7 +126,7 @@ Warnings warningsOf(const std::vector<Alternative>& alternatives, const std::vec
          "",
          {GLISSADE_TEXT("'%1' and '%2'"), {a, b}},
          {GLISSADE_TEXT("fill the same place (%1 % of the larger one): they may be variants of one part"), {percent}},
-         {GLISSADE_TEXT("Leave one out (--without %1)."), {a}}});
+         {GLISSADE_TEXT("Exclude one (--without %1)."), {a}}});
   }
   return warnings;
 }

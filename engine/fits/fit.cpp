@@ -26,14 +26,14 @@ CatalogueText thinnerText(const Fit& fit) {
   const bool isThread = fit.kind == ContactKind::Thread;
   switch (roleOfThinner(fit)) {
     case Fit::Role::Shaft:
-      return isThread ? GLISSADE_TEXT("%1 taken %2 thinner in the tapped hole of %3 (%4)")
-                      : GLISSADE_TEXT("%1 taken %2 thinner in the hole of %3 (%4)");
+      return isThread ? GLISSADE_TEXT("%1, %2 in the tapped hole of %3 (%4)")
+                      : GLISSADE_TEXT("%1, %2 in the hole of %3 (%4)");
     case Fit::Role::Hole:
-      return isThread ? GLISSADE_TEXT("%1 taken %2 thinner on the thread of %3 (%4)")
-                      : GLISSADE_TEXT("%1 taken %2 thinner on the shaft of %3 (%4)");
+      return isThread ? GLISSADE_TEXT("%1, %2 on the thread of %3 (%4)")
+                      : GLISSADE_TEXT("%1, %2 on the shaft of %3 (%4)");
     case Fit::Role::Other: break;
   }
-  return GLISSADE_TEXT("%1 taken %2 thinner against %3 (%4)");
+  return GLISSADE_TEXT("%1, %2 on %3 (%4)");
 }
 
 }  // namespace
@@ -42,14 +42,14 @@ Message inWords(const Fit& fit, const std::string& object, const std::string& ob
   const std::string& thinner = fit.yields ? obstacle : object;
   const std::string& other = fit.yields ? object : obstacle;
   if (fit.hollow && fit.kind == ContactKind::Thread) {
-    return {GLISSADE_TEXT("%1 taken without what its screw %2 fills (no hole in the file)"), {thinner, other}};
+    return {GLISSADE_TEXT("%1 without what its screw %2 fills (no hole in the file)"), {thinner, other}};
   }
   if (fit.hollow) {
-    return {GLISSADE_TEXT("%1 taken without what overlaps %2, up to %3 deep (accepted clash)"),
+    return {GLISSADE_TEXT("%1 without what overlaps %2, up to %3 deep (accepted clash)"),
             {thinner, other, Depth{fit.allowance}}};
   }
   Message kind = inWords(fit.kind);
-  if (fit.evidence.byPerson > 0.0) kind = {GLISSADE_TEXT("%1, as a person allows"), {kind}};
+  if (fit.evidence.byPerson > 0.0) kind = {GLISSADE_TEXT("%1, user-defined"), {kind}};
   Message words{thinnerText(fit), {thinner, Length{fit.allowance}, other, kind}};
   if (!fit.thread) return words;
   const Length pitch{fit.thread->rule.pitch};

@@ -3,20 +3,20 @@
 namespace glissade {
 
 Message noRoom(double allowance) {
-  return {GLISSADE_TEXT("fit so that one of them would have to be taken %1 thinner, which the local thickness or the "
-                        "shape of neither gives: it counts as a clash"),
+  return {GLISSADE_TEXT(
+              "need an allowance of %1, which the local thickness or the shape of neither gives: it counts as a clash"),
           {Length{allowance}}};
 }
 
 Message noRoomBeside(double allowance, double opening) {
-  return {GLISSADE_TEXT("fit so that one of them would have to be taken %1 thinner, which the local thickness or the "
-                        "shape of neither gives, and the surface of one is open %2 from the contact, so that what is "
-                        "inside it there is not known: it counts as a clash"),
+  return {GLISSADE_TEXT(
+              "need an allowance of %1, which the local thickness or the shape of neither gives, and the surface of "
+              "one is open %2 from the contact, so that what is inside it there is not known: it counts as a clash"),
           {Length{allowance}, Length{opening}}};
 }
 
 Message openOnBothSides(double opening, double othersOpening) {
-  return {GLISSADE_TEXT("touch where neither can be taken thinner: the surfaces are open %1 and %2 from the contact, "
+  return {GLISSADE_TEXT("touch where neither can have an allowance: the surfaces are open %1 and %2 from the contact, "
                         "so that what is inside them there is not known"),
           {Length{opening}, Length{othersOpening}}};
 }

@@ -164,7 +164,7 @@ class JointEditor {
     if (joint == joints_.end()) return isMissing(edit.key, GLISSADE_TEXT("pressed out"));
     joint->kind = JointKind::Pin;
     joint->state = JointState::Confirmed;
-    joint->evidence.emplace_back(GLISSADE_TEXT("a person says that it is pressed out"));
+    joint->evidence.emplace_back(GLISSADE_TEXT("the user has it pressed out"));
     return Done{};
   }
 
@@ -196,7 +196,7 @@ class JointEditor {
       return refusal(edit.key, GLISSADE_TEXT("its thread is not stated"),
                      GLISSADE_TEXT("Give 'thread' with diameter, pitch and engaged length."));
     }
-    made.evidence = {GLISSADE_TEXT("a person says so")};
+    made.evidence = {GLISSADE_TEXT("user-defined")};
     const auto before = find(edit.key);
     if (before == joints_.end()) {
       joints_.push_back(std::move(made));

@@ -226,8 +226,8 @@ class FitFinder {
     }
     if (fit.kind == ContactKind::Press && isPressedInsert(fit.obstacle, found.contact)) {
       refuse(fit, {GLISSADE_TEXT("overlap by %1, because the insert is pressed or melted in"), {Depth{overlap}}},
-             {GLISSADE_TEXT("It leaves with its host. To press it out, accept the clash (--accept-clashes %1) and say "
-                            "so of the joint."),
+             {GLISSADE_TEXT("It is removed with its host. To press it out, accept the clash (--accept-clashes %1) and "
+                            "state this for the joint."),
               {depthAsOption(overlap)}});
       return;
     }

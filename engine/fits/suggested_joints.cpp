@@ -264,7 +264,7 @@ class SuggestedJointFinder {
     if (least == ways.end() || !(least->bend > 0.0)) return;
     joint.bend = least->bend;
     joint.evidence.push_back(
-        {GLISSADE_TEXT("its hooks bend by %1 when it leaves along a line"), {Length{least->bend}}});
+        {GLISSADE_TEXT("its hooks bend by %1 when it is removed along a line"), {Length{least->bend}}});
   }
 
   /// Direction away from the centre of the bodies that it is on.

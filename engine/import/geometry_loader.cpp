@@ -490,8 +490,8 @@ void warnOfMissingFaces(const LoadedGeometry& geometry, const std::string& bodyI
     warnings.push_back({ErrorKind::MalformedInput,
                         file,
                         {GLISSADE_TEXT("body '%1'"), {partId(bodyId, part)}},
-                        {GLISSADE_TEXT("is not closed: faces or boundaries that could not be made: %1; proofs take "
-                                       "what is missing as free space"),
+                        {GLISSADE_TEXT("is not closed: faces or boundaries that could not be made: %1; certificates "
+                                       "take what is missing as free space"),
                          {part.facesWithoutMesh}},
                         GLISSADE_TEXT("Do not trust paths near it; export it again, or as a mesh.")});
   }
@@ -521,7 +521,7 @@ MissingShapes missingShapesOf(const GeometryCache& read, const std::vector<const
     for (const Occurrence& part : whole->second->parts) {
       if (isNamed(part, asset.id, named)) continue;
       missing.push_back(
-          {asset.path, part.path, "", "", GLISSADE_TEXT("the scenario neither names it nor leaves it out")});
+          {asset.path, part.path, "", "", GLISSADE_TEXT("the scenario neither names it nor excludes it")});
     }
   }
   for (const auto& [key, geometry] : read) {

@@ -147,17 +147,16 @@ class StepDecoder {
     const CatalogueText doubt = GLISSADE_TEXT("Do not trust paths near it; export it again, or as a mesh.");
     if (kind == protocol::kVolumeLine) return {ErrorKind::MalformedInput, call_.file, where, what, doubt};
     if (kind == protocol::kShapeLine) {
-      return {
-          ErrorKind::MalformedInput, call_.file, where, what,
-          GLISSADE_TEXT(
-              "It is an obstacle that can be inside of others. Export it as a solid, or leave it out (--without).")};
+      return {ErrorKind::MalformedInput, call_.file, where, what,
+              GLISSADE_TEXT(
+                  "It is an obstacle that can be inside of others. Export it as a solid, or exclude it (--without).")};
     }
     if (kind == protocol::kCurveLine) {
       return {ErrorKind::MalformedInput, call_.file, where, what, GLISSADE_TEXT("Give them faces if they are parts.")};
     }
     if (kind == protocol::kOrphanLine) {
       return {ErrorKind::MalformedInput, call_.file, where, what,
-              GLISSADE_TEXT("Leave it out if it is no part (--without).")};
+              GLISSADE_TEXT("Exclude it if it is no part (--without).")};
     }
     if (kind == protocol::kSecondLine) {
       return {ErrorKind::MalformedInput, call_.file, where, what,
@@ -168,11 +167,12 @@ class StepDecoder {
               GLISSADE_TEXT(
                   "Where that is wrong, export it with names in UTF-8, or name its parts by their numbers (#2).")};
     }
-    return {ErrorKind::MalformedInput,
-            call_.file,
-            where,
-            {GLISSADE_TEXT("%1: the part is not closed there; proofs take what is missing as free space"), {what}},
-            doubt};
+    return {
+        ErrorKind::MalformedInput,
+        call_.file,
+        where,
+        {GLISSADE_TEXT("%1: the part is not closed there; certificates take what is missing as free space"), {what}},
+        doubt};
   }
 
   Outcome takeShape() {

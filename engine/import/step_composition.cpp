@@ -175,7 +175,7 @@ class Composition {
     return {ErrorKind::MalformedInput,
             shape.file,
             shape.product.empty() ? Message() : Message(GLISSADE_TEXT("part '%1'"), {shape.product}),
-            {GLISSADE_TEXT("nothing is known of where %1 is, and proofs are about the product without it: %2"),
+            {GLISSADE_TEXT("nothing is known of where %1 is, and certificates are about the product without it: %2"),
              {what, shape.reason}},
             kUnread};
   }
@@ -209,7 +209,7 @@ class Composition {
     return {ErrorKind::MalformedInput,
             content_.file,
             {GLISSADE_TEXT("part %1"), {listed(missing.paths, 3)}},
-            {GLISSADE_TEXT("is missing, and proofs take it as free space: its file '%1' %2 (looked for in '%3')"),
+            {GLISSADE_TEXT("is missing, and certificates take it as free space: its file '%1' %2 (looked for in '%3')"),
              {missing.name, missing.whyNot, folder_}},
             kAdvice};
   }

@@ -37,7 +37,7 @@ inline std::string listOf(const MissingShapes& shapes) {
 
 /// The sentence that a proof states. Precondition: there are missing shapes.
 inline Message statementOf(const MissingShapes& shapes) {
-  return {GLISSADE_TEXT("the proof is about the product without these shapes, which the file states: %1"),
+  return {GLISSADE_TEXT("the certificate is about the product without these shapes, which the file states: %1"),
           {listOf(shapes)}};
 }
 

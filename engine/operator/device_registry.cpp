@@ -134,7 +134,7 @@ DeviceRegistry makeDeviceRegistry() {
 void addTaskOperators(DeviceRegistry& registry) {
   for (const TaskLevel& level : taskLevels()) {
     registry.add({std::string(level.id), Message(std::string(level.id)),
-                  GLISSADE_TEXT("Shows a way at the level of a task."), true,
+                  GLISSADE_TEXT("Shows a path at the level of a task."), true,
                   [level](const DeviceContext& context) -> std::unique_ptr<OperatorDevice> {
                     return std::make_unique<TaskOperator>(level, context.route, context.metric, context.seed);
                   }});

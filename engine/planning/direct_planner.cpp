@@ -29,7 +29,7 @@ bool DirectPlanner::solve(PlannerHost& host) {
       edges_.push_back({static_cast<std::uint32_t>(nodes_.size() - 1), static_cast<std::uint32_t>(nodes_.size())});
       nodes_.push_back({*q, Author::Computer, TreeSide::Start});
     } else if (!host.stopToken().stopRequested()) {
-      giveUp(GLISSADE_TEXT("the direct way to the goal is blocked"));
+      giveUp(GLISSADE_TEXT("the direct path to the goal is blocked"));
     }
     if (done) {
       Path path;
@@ -38,7 +38,7 @@ bool DirectPlanner::solve(PlannerHost& host) {
       if (path.certificate.status == CertificateStatus::Certified) {
         path_ = std::move(path);
       } else if (!host.stopToken().stopRequested()) {
-        giveUp(GLISSADE_TEXT("the direct way to the goal is not free"));
+        giveUp(GLISSADE_TEXT("the direct path to the goal is not free"));
       }
     }
     counts_.nodes = nodes_.size();

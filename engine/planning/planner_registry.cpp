@@ -44,8 +44,9 @@ void addFirstPapersPlanners(PlannerRegistry& registry) {
       GLISSADE_TEXT("You steer the object and the computer searches with you; near an obstacle the object slides "
                     "on it (Blin et al. 2016, Algorithm 1)."),
       OperatorUse::GuideAndContact));
-  registry.add(interactive("birrt", GLISSADE_TEXT("Two trees, without you"),
-                           GLISSADE_TEXT("The computer alone: the same planner with an authority of 1."),
+  registry.add(interactive("birrt", GLISSADE_TEXT("RRT-Connect"),
+                           GLISSADE_TEXT("The computer alone: two trees that grow towards each other, with contact "
+                                         "sampling. The same planner with a computer share of 1."),
                            OperatorUse::None));
 }
 
@@ -56,14 +57,14 @@ void addOmplPlanners(PlannerRegistry& registry) {
                     return std::make_unique<OmplPlanner>(problem, seed, algorithm);
                   }});
   };
-  add("ompl-rrtconnect", GLISSADE_TEXT("Two trees of OMPL (RRT-Connect)"),
+  add("ompl-rrtconnect", GLISSADE_TEXT("RRT-Connect (OMPL)"),
       GLISSADE_TEXT("Two trees that grow towards each other (Kuffner and LaValle 2000)."), OmplAlgorithm::RrtConnect);
-  add("ompl-bkpiece", GLISSADE_TEXT("Cells explored, of OMPL (BKPIECE)"),
+  add("ompl-bkpiece", GLISSADE_TEXT("BKPIECE (OMPL)"),
       GLISSADE_TEXT("Two trees that grow from the border of the cells explored (Sucan and Kavraki 2009)."),
       OmplAlgorithm::Bkpiece);
-  add("ompl-prm", GLISSADE_TEXT("Roadmap of OMPL (PRM)"),
-      GLISSADE_TEXT("A roadmap of the whole space (Kavraki et al. 1996)."), OmplAlgorithm::Prm);
-  add("ompl-est", GLISSADE_TEXT("One tree of OMPL (EST)"),
+  add("ompl-prm", GLISSADE_TEXT("PRM (OMPL)"), GLISSADE_TEXT("A roadmap of the whole space (Kavraki et al. 1996)."),
+      OmplAlgorithm::Prm);
+  add("ompl-est", GLISSADE_TEXT("EST (OMPL)"),
       GLISSADE_TEXT("One tree that grows where it is sparse (Hsu et al. 1999)."), OmplAlgorithm::Est);
 }
 
@@ -126,36 +127,34 @@ PlannerRegistry allWholePlanners() {
   addFirstPapersPlanners(registry);
   registry.add(interactive(
       "interactive-birrt", GLISSADE_TEXT("Interactive without contact"),
-      GLISSADE_TEXT("Operator and computer share authority, no contact sampling (Blin et al. 2016, table I)."),
+      GLISSADE_TEXT("Operator and computer share the iterations, no contact sampling (Blin et al. 2016, table I)."),
       OperatorUse::Guide));
   registry.add(interactive(
       "contact-following-birrt", GLISSADE_TEXT("Interactive, contact that follows"),
       GLISSADE_TEXT("Near an obstacle the object follows its surfaces from one contact to the next, and turns "
                     "as they make it turn."),
       OperatorUse::GuideAndFollow));
-  registry.add(
-      interactive("contact-first-birrt", GLISSADE_TEXT("Interactive, contact first"),
-                  GLISSADE_TEXT("As the papers' software of 2016: near an obstacle contact sampling pre-empts the "
-                                "authority draw."),
-                  OperatorUse::ContactFirst));
-  registry.add({"g", GLISSADE_TEXT("One tree (G)"),
+  registry.add(interactive("contact-first-birrt", GLISSADE_TEXT("Interactive, contact first"),
+                           GLISSADE_TEXT("As the papers' software of 2016: near an obstacle contact sampling comes "
+                                         "before the draw by computer share."),
+                           OperatorUse::ContactFirst));
+  registry.add({"g", GLISSADE_TEXT("RRT (G)"),
                 GLISSADE_TEXT("One RRT in the whole workspace (Cailhol et al. 2019, section 6.1)."), false, false,
                 [](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
                   return std::make_unique<Rrt>(problem, seed, Rrt::Limit::GlobalSamples);
                 }});
-  registry.add(multiLayer("gt", GLISSADE_TEXT("Shortest way through places (GT)"),
-                          GLISSADE_TEXT("The shortest way through the places, RRT in each of them "
-                                        "(Cailhol et al. 2019, section 6.1).")));
+  registry.add(multiLayer(
+      "gt", GLISSADE_TEXT("Shortest path through places (GT)"),
+      GLISSADE_TEXT("The shortest path through the places, RRT in each of them (Cailhol et al. 2019, section 6.1).")));
   registry.add(multiLayer("gts1", GLISSADE_TEXT("Places: holes of the same shape (GTS1)"),
                           GLISSADE_TEXT("Holes of the object's shape and easy places "
                                         "first (Cailhol et al. 2019, section 6.2).")));
   registry.add(multiLayer("gts2", GLISSADE_TEXT("Places: holes that fit (GTS2)"),
                           GLISSADE_TEXT("Holes that the object fits and easy places "
                                         "first (Cailhol et al. 2019, section 6.2, table 1).")));
-  registry.add(
-      multiLayer("gts", GLISSADE_TEXT("Layers"),
-                 GLISSADE_TEXT("Geometry, places and semantics (GTS): the object goes through the passages that "
-                               "it fits best, and takes the next best way where one fails.")));
+  registry.add(multiLayer("gts", GLISSADE_TEXT("Layers"),
+                          GLISSADE_TEXT("Geometry, places and semantics (GTS): the object goes through the passages "
+                                        "that it fits best, and takes the next best path where one fails.")));
   registry.add(multiLayer("own", GLISSADE_TEXT("Places: own rules"), GLISSADE_TEXT("The rules of the scenario.")));
   addOmplPlanners(registry);
   return registry;

@@ -118,8 +118,8 @@ Message whyHeld(const CollisionWorld& world, const std::vector<const ThreadPair*
   for (const ThreadPair* pair : pairs) {
     if (turnTogether(first, pair->rule())) continue;
     holding = {first.obstacle, pair->rule().obstacle};
-    return {GLISSADE_TEXT("the object is in the threads of %1, which no turn leaves at the same time: their axes or "
-                          "pitches differ"),
+    return {GLISSADE_TEXT("the object is in the threads of %1, which cannot be unscrewed at the same time: their axes "
+                          "or pitches differ"),
             {namesOf(world, holding)}};
   }
   return {};
@@ -153,7 +153,7 @@ ScrewSearch findScrewWays(const CollisionWorld& world, CollisionQuery& query, co
   if (search.ways.empty() && search.why.empty()) {
     const Message reason = blocking.empty() ? Message(GLISSADE_TEXT("it has no room"))
                                             : Message(GLISSADE_TEXT("%1 is in the way"), {namesOf(world, blocking)});
-    search.why = {GLISSADE_TEXT("the object cannot be turned out of the thread of %1, because %2"),
+    search.why = {GLISSADE_TEXT("the object cannot be unscrewed from %1, because %2"),
                   {quoted(world, rule.obstacle), reason}};
   }
   search.blockedBy = {blocking.begin(), blocking.end()};

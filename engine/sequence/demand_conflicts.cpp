@@ -71,17 +71,17 @@ SequenceDemands withoutEarlier(const DemandConflict& conflict, SequenceDemands d
 Diagnostic inWords(const DemandConflict& conflict) {
   std::vector<Message> reasons;
   for (const DemandedMotion& each : conflict.motions) {
-    reasons.push_back({GLISSADE_TEXT("the motion that '%1' keeps begins in the direction that is to be forbidden"),
-                       {each.bodies.front()}});
+    reasons.push_back(
+        {GLISSADE_TEXT("the locked motion of '%1' uses the direction that is to be ruled out"), {each.bodies.front()}});
   }
   for (const ForbiddenDirection& each : conflict.forbidden) {
-    reasons.push_back({GLISSADE_TEXT("the motion begins in a direction that is forbidden to '%1'"), {each.body}});
+    reasons.push_back({GLISSADE_TEXT("this motion uses a direction you ruled out for '%1'"), {each.body}});
   }
   for (const auto& [first, then] : conflict.before) {
-    reasons.push_back({GLISSADE_TEXT("'%1' is to leave before '%2'"), {first, then}});
+    reasons.push_back({GLISSADE_TEXT("'%1' is to be removed before '%2'"), {first, then}});
   }
   return {ErrorKind::Usage, "", "", joined(reasons, "; "),
-          GLISSADE_TEXT("Remove the earlier demand, or leave out the new one.")};
+          GLISSADE_TEXT("Remove the earlier constraint, or omit the new one.")};
 }
 
 }  // namespace glissade

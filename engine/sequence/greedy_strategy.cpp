@@ -455,10 +455,10 @@ class GreedySearch {
     const auto refusedThere = notAtPlace_.find(unit);
     if (refusedThere != notAtPlace_.end()) {
       const Refusal& refusal = refusedThere->second;
-      plan_.stuck.push_back(
-          {idOf(body),
-           idsOf(refusal.blockedBy),
-           {GLISSADE_TEXT("it was to leave as step %1, and no motion was found there"), {refusal.afterSteps + 1}}});
+      plan_.stuck.push_back({idOf(body),
+                             idsOf(refusal.blockedBy),
+                             {GLISSADE_TEXT("it was to be removed as step %1, and no motion was found there"),
+                              {refusal.afterSteps + 1}}});
       return;
     }
     const std::vector<std::size_t> holding = heldBy(unit, false);

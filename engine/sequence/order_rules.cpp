@@ -15,7 +15,7 @@ Diagnostic refusedDemand(const Message& reason, const Message& advice) {
 }
 
 Diagnostic unknownBody(const std::string& name) {
-  return refusedDemand({GLISSADE_TEXT("a demand names '%1', which is not a body of the product"), {name}},
+  return refusedDemand({GLISSADE_TEXT("a constraint names '%1', which is not a body of the product"), {name}},
                        GLISSADE_TEXT("See 'glissade-cli fits' for the names."));
 }
 
@@ -51,8 +51,8 @@ Result<BodyGroup> stepNamed(const std::vector<std::string>& names, const Assembl
     bodies.insert(named.begin(), named.end());
   }
   if (bodies.empty()) {
-    return refusedDemand(GLISSADE_TEXT("a demand about a step names no body"),
-                         GLISSADE_TEXT("Name the bodies that leave."));
+    return refusedDemand(GLISSADE_TEXT("a constraint about a step names no body"),
+                         GLISSADE_TEXT("Name the bodies that are removed."));
   }
   return BodyGroup(bodies.begin(), bodies.end());
 }
@@ -63,9 +63,8 @@ Outcome leaveTogether(const BodyGroup& group, const AssembledProduct& product, O
     if (other == group) return Done{};
     for (const std::size_t body : group) {
       if (!std::binary_search(other.begin(), other.end(), body)) continue;
-      return refusedDemand(
-          {GLISSADE_TEXT("'%1' is in two steps or groups that are demanded"), {product.bodies[body].id}},
-          GLISSADE_TEXT("Name the same bodies in both, or remove one."));
+      return refusedDemand({GLISSADE_TEXT("'%1' is in two constrained steps or groups"), {product.bodies[body].id}},
+                           GLISSADE_TEXT("Name the same bodies in both, or remove one."));
     }
   }
   if (group.size() > 1) rules.together.push_back(group);
@@ -81,12 +80,12 @@ Outcome addPlaces(const SequenceDemands& demands, const AssembledProduct& produc
     const Outcome together = leaveTogether(*group, product, rules);
     if (!together) return together;
     if (demand.place == 0 || !taken.insert(demand.place).second) {
-      return refusedDemand({GLISSADE_TEXT("two steps are demanded at place %1"), {demand.place}},
+      return refusedDemand({GLISSADE_TEXT("two steps are constrained to place %1"), {demand.place}},
                            GLISSADE_TEXT("Give each a place of its own, from 1."));
     }
     for (const std::size_t body : *group) {
       if (placed.insert(body).second) continue;
-      return refusedDemand({GLISSADE_TEXT("'%1' is demanded at two places"), {product.bodies[body].id}},
+      return refusedDemand({GLISSADE_TEXT("'%1' is constrained to two places"), {product.bodies[body].id}},
                            GLISSADE_TEXT("Remove one of them."));
     }
     rules.placed.push_back({std::move(*group), demand.place});
@@ -102,11 +101,11 @@ Outcome addMotions(const SequenceDemands& demands, const AssembledProduct& produ
     const Outcome together = leaveTogether(*group, product, rules);
     if (!together) return together;
     if (demand.path.size() < 2) {
-      return refusedDemand(GLISSADE_TEXT("a demanded motion has fewer than two configurations"),
+      return refusedDemand(GLISSADE_TEXT("a motion of a constraint has fewer than two configurations"),
                            GLISSADE_TEXT("Give two configurations."));
     }
     if (rules.motionOf(*group) != nullptr) {
-      return refusedDemand({GLISSADE_TEXT("'%1' has two demanded motions"), {product.bodies[group->front()].id}},
+      return refusedDemand({GLISSADE_TEXT("'%1' is constrained to two motions"), {product.bodies[group->front()].id}},
                            GLISSADE_TEXT("Remove one."));
     }
     rules.motions.push_back({std::move(*group), demand.path, demand.method});
@@ -120,7 +119,7 @@ Outcome addForbidden(const SequenceDemands& demands, const AssembledProduct& pro
     const BodyGroup bodies = bodiesNamed(product, demand.body);
     if (bodies.empty()) return unknownBody(demand.body);
     if (!(demand.direction.norm() > 0.0)) {
-      return refusedDemand({GLISSADE_TEXT("a direction that is forbidden to '%1' has no length"), {demand.body}},
+      return refusedDemand({GLISSADE_TEXT("a direction that is ruled out for '%1' has no length"), {demand.body}},
                            GLISSADE_TEXT("Give three numbers, as 0 0 -1."));
     }
     for (const std::size_t body : bodies) rules.forbidden[body].push_back(demand.direction.normalized());
@@ -132,9 +131,9 @@ Outcome addForbidden(const SequenceDemands& demands, const AssembledProduct& pro
 Outcome checkMotions(const OrderRules& rules, const AssembledProduct& product) {
   for (const OrderRules::GivenMotion& motion : rules.motions) {
     if (!isForbidden(firstDirection(motion.path), rules.forbiddenTo(motion.group))) continue;
-    return refusedDemand({GLISSADE_TEXT("'%1' has a demanded motion in a direction that is forbidden to it"),
+    return refusedDemand({GLISSADE_TEXT("'%1' is constrained to a motion in a direction that is ruled out for it"),
                           {product.bodies[motion.group.front()].id}},
-                         GLISSADE_TEXT("Remove one of the two demands."));
+                         GLISSADE_TEXT("Remove one of the two constraints."));
   }
   return Done{};
 }
@@ -193,7 +192,7 @@ Result<OrderRules> resolved(const SequenceDemands& demands, const AssembledProdu
       for (const std::size_t body : bodies) {
         if (!grouped.insert(body).second) {
           return refusedDemand(
-              {GLISSADE_TEXT("'%1' is demanded to leave with others twice"), {product.bodies[body].id}},
+              {GLISSADE_TEXT("'%1' is in two groups that are to be removed together"), {product.bodies[body].id}},
               GLISSADE_TEXT("Name each body once."));
         }
         group.push_back(body);
@@ -217,7 +216,7 @@ Result<OrderRules> resolved(const SequenceDemands& demands, const AssembledProdu
   }
   if (const Outcome possible = checkMotions(rules, product); !possible) return possible.error();
   if (isCircular(rules, product.bodies.size())) {
-    return refusedDemand(GLISSADE_TEXT("the demands about the order form a cycle"),
+    return refusedDemand(GLISSADE_TEXT("the constraints on the order form a cycle"),
                          GLISSADE_TEXT("Remove one of them."));
   }
   return rules;

@@ -41,12 +41,12 @@ Outcome checkPlaces(const AssembledProduct& product, const OrderRules& rules, co
   for (const auto& step : rules.placed) {
     for (const std::size_t body : step.group) {
       if (!staying[body]) continue;
-      return Diagnostic{
-          ErrorKind::Usage,
-          "",
-          "",
-          {GLISSADE_TEXT("'%1' stays, and is demanded to leave as step %2"), {product.bodies[body].id, step.place}},
-          GLISSADE_TEXT("Let another body stay, or remove the demand.")};
+      return Diagnostic{ErrorKind::Usage,
+                        "",
+                        "",
+                        {GLISSADE_TEXT("'%1' is fixed as base, and is constrained to step %2"),
+                         {product.bodies[body].id, step.place}},
+                        GLISSADE_TEXT("Fix another body as base, or remove the constraint.")};
     }
   }
   return Done{};

@@ -15,8 +15,8 @@ const SequenceStrategyEntry* SequenceStrategyRegistry::find(std::string_view id)
 SequenceStrategyRegistry makeSequenceStrategyRegistry() {
   SequenceStrategyRegistry registry;
   registry.add({"greedy", GLISSADE_TEXT("Greedy"),
-                GLISSADE_TEXT("Whatever can leave leaves, the smallest first; what cannot is asked again when one of "
-                              "those in its way has left."),
+                GLISSADE_TEXT("Every part that can be removed is removed, the smallest first; the others are tried "
+                              "again when a part that blocks them was removed."),
                 [] { return std::make_unique<GreedyStrategy>(); }});
   registry.add({"best-first", GLISSADE_TEXT("Best first"),
                 GLISSADE_TEXT("The motions of the greedy strategy in the order that costs least: length, changes of "

@@ -72,7 +72,7 @@ std::vector<StepCostPreset> stepCostPresets() {
           {"few-tools", GLISSADE_TEXT("Few changes of tools"),
            "10 * tool_change + direction_change + length + 10 * falling"},
           {"short", GLISSADE_TEXT("Short motions"), "length + turns + 10 * falling"},
-          {"fragile-first", GLISSADE_TEXT("Fragile parts leave first"),
+          {"fragile-first", GLISSADE_TEXT("Fragile parts removed first"),
            "if(fragile, 0, 5) + length + direction_change + tool_change"},
           {"as-found", GLISSADE_TEXT("As found"), "0"}};
 }

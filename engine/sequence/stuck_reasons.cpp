@@ -31,8 +31,8 @@ Message StuckReasons::aboutSolids(std::size_t body) const {
   const TriangleMesh& mesh = *question_.product.bodies[body].mesh;
   const std::size_t count = mesh.faces.empty() ? 1 : separateSolids(mesh, kTouchingSolids);
   if (count < 2) return {};
-  return {GLISSADE_TEXT("'%1' is one part of %2 solids that do not touch each other: take these as parts (--open "
-                        "\"%3\", or \"Groups and solids are parts\" in the list of parts)"),
+  return {GLISSADE_TEXT("'%1' is one part of %2 solids that do not touch each other: split it (--open \"%3\", or "
+                        "\"Split OBJ groups and solids\" in the list of parts)"),
           {name(body), count, name(body)}};
 }
 
@@ -41,16 +41,17 @@ Message StuckReasons::withoutAdvice(std::size_t body, const std::vector<std::siz
   const BodyGroup unit = unitOf(body, question_.rules);
   if (Message joints = ofJoints(unit); !joints.empty()) return joints;
   if (Message clashes = ofClashes(unit); !clashes.empty()) return clashes;
-  if (!holding.empty()) return {GLISSADE_TEXT("it is demanded that '%1' leaves before"), {name(holding.front())}};
+  if (!holding.empty())
+    return {GLISSADE_TEXT("a constraint states that '%1' is removed before"), {name(holding.front())}};
   for (const std::size_t other : blocking) {
     if (question_.staying[other] || !holdEachOther(body, other)) continue;
-    return {GLISSADE_TEXT("it and '%1' hold each other: neither was found to leave alone, nor both as one; motions of "
-                          "several bodies at the same time are not searched"),
+    return {GLISSADE_TEXT("it and '%1' hold each other: no motion was found for either alone, nor for both as one; "
+                          "motions of several bodies at the same time are not searched"),
             {name(other)}};
   }
-  if (question_.rules.motionOf(unit) != nullptr) return GLISSADE_TEXT("the motion that a person gave it is not free");
+  if (question_.rules.motionOf(unit) != nullptr) return GLISSADE_TEXT("its motion by hand is not free");
   if (!question_.rules.forbiddenTo(unit).empty()) {
-    return GLISSADE_TEXT("no motion was found in a direction that is not forbidden");
+    return GLISSADE_TEXT("no motion was found in a direction that is not ruled out");
   }
   if (isCaged(unit, blocking)) {
     return GLISSADE_TEXT("it is between parts that are pressed together: press one of them out");
@@ -90,8 +91,7 @@ Message StuckReasons::ofTurns(const BodyGroup& unit) const {
   const std::vector<std::size_t> opened = question_.joints->opened(unit, present_);
   const BodyGroup holders = question_.joints->holders(opened, unit, present_);
   if (holders.empty()) return {};
-  return {GLISSADE_TEXT("it is held by %1 in '%2', and no free turn out of it was found: free the way, or dissolve the "
-                        "joint"),
+  return {GLISSADE_TEXT("it is held by %1 in '%2', and cannot be unscrewed: clear the space, or dissolve the joint"),
           {question_.joints->inWords(opened), name(holders.front())}};
 }
 

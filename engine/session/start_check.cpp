@@ -115,7 +115,7 @@ Outcome checkStart(const Problem& problem, double requiredClearance) {
     return Diagnostic{
         ErrorKind::MalformedInput, "", kGoal.name,
         GLISSADE_TEXT(
-            "the goal 'out' cannot be reached: the workspace has no room outside the box around the obstacles"),
+            "the goal 'removed' cannot be reached: the workspace has no room outside the box around the obstacles"),
         GLISSADE_TEXT("Enlarge the workspace by the size of the object on one side at least.")};
   }
   return Done{};

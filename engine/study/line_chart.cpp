@@ -57,7 +57,7 @@ class ChartDrawing {
     std::string svg = svgBegin(kLeft + kWidth + kRight, bottom + kAxis + kLegend, colours_.ground) + axis(bottom);
     for (std::size_t i = 0; i < bars_.size(); ++i) svg += bar(bars_[i], kTop + kRow * static_cast<double>(i));
     if (timing_.line) svg += cycle(bottom);
-    return svg + text(kLeft, bottom + kAxis + 12.0, "start", words_(GLISSADE_TEXT("Framed steps: the longest chain"))) +
+    return svg + text(kLeft, bottom + kAxis + 12.0, "start", words_(GLISSADE_TEXT("Framed steps: the critical path"))) +
            "</svg>\n";
   }
 

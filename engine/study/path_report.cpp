@@ -56,7 +56,7 @@ class PathReportComposer {
     const LoadedScenario& scenario = content_.scenario;
     std::vector<std::vector<std::string>> rows{
         {words_(GLISSADE_TEXT("Scenario")), nameOfProduct(scenario)},
-        {words_(GLISSADE_TEXT("Part that moves")), scenario.object.shown()},
+        {words_(GLISSADE_TEXT("Moving part")), scenario.object.shown()},
         {words_(GLISSADE_TEXT("Other parts")), std::to_string(scenario.obstacles.size())}};
     if (!content_.provenance.planner.empty()) {
       rows.push_back({words_(GLISSADE_TEXT("Strategy")), content_.provenance.planner});
@@ -73,14 +73,14 @@ class PathReportComposer {
   void addCertificate() {
     const MotionCertificate& certificate = content_.path.certificate;
     heading(GLISSADE_TEXT("Certificate"));
-    report_.blocks.emplace_back(ReportText{words_(GLISSADE_TEXT(
-        "The path is proved free of penetration: the part keeps the required clearance from all other parts at "
-        "every time of the motion, not only at samples."))});
+    report_.blocks.emplace_back(ReportText{
+        words_(GLISSADE_TEXT("The path is certified free of penetration: the part keeps the required clearance from "
+                             "all other parts at every time of the motion, not only at samples."))});
     const bool isNear = certificate.nearest.body >= 0;
     std::vector<std::vector<std::string>> rows{
         {words_(GLISSADE_TEXT("Required clearance")), length_(certificate.tolerance)}};
     if (isNear) {
-      rows.push_back({words_(GLISSADE_TEXT("Proved clearance")), length_(certificate.provedClearance)});
+      rows.push_back({words_(GLISSADE_TEXT("Certified clearance")), length_(certificate.provedClearance)});
       const NearestObstacle least = smallestMet();
       rows.push_back({words_(GLISSADE_TEXT("Smallest clearance met")),
                       words_(GLISSADE_TEXT("%1 to %2"), {length_(least.distance), nameOf(least.body)})});
@@ -102,8 +102,7 @@ class PathReportComposer {
                       words_(GLISSADE_TEXT("where these shapes of the file are: %1"), {listOf(missing)})});
     }
     if (const double deviation = surfaceDeviation(content_.scenario); deviation > 0.0) {
-      rows.push_back({words_(GLISSADE_TEXT("About triangles")),
-                      words_(GLISSADE_TEXT("within ± %1 of the CAD surfaces"), {length_(deviation)})});
+      rows.push_back({words_(GLISSADE_TEXT("CAD accuracy")), words_(GLISSADE_TEXT("± %1"), {length_(deviation)})});
     }
     if (const double spacing = coordinateSpacing(content_.scenario); spacing > 0.0) {
       rows.push_back({words_(GLISSADE_TEXT("32-bit coordinates")),

@@ -88,7 +88,7 @@ class GraphLayout {
     const bool stays = std::find(staying.begin(), staying.end(), id) != staying.end();
     const std::string name = product_.bodies[*product_.indexOf(id)].shown();
     return bodies_[id] =
-               add(name + " (" + words_(stays ? GLISSADE_TEXT("stays") : GLISSADE_TEXT("stuck")) + ")", column, false);
+               add(name + " (" + words_(stays ? GLISSADE_TEXT("base") : GLISSADE_TEXT("stuck")) + ")", column, false);
   }
 
   void addStuck() {

@@ -36,9 +36,9 @@ class Composer {
     if (content_.timing) addTimesSection(*content_.timing, plain_.words(), report_);
     addStuck();
     if (!content_.graphPicture.empty()) {
-      report_.blocks.emplace_back(ReportHeading{say(GLISSADE_TEXT("Order of the steps")), 2, true});
+      report_.blocks.emplace_back(ReportHeading{say(GLISSADE_TEXT("Precedence graph")), 2, true});
       picture(content_.graphPicture,
-              say(GLISSADE_TEXT("An arrow leads from a step of the removal to each step that it makes way for.")));
+              say(GLISSADE_TEXT("An arrow leads from a step of the removal to each step that has to come after it.")));
     }
     return std::move(report_);
   }
@@ -67,8 +67,9 @@ class Composer {
                {say(GLISSADE_TEXT("Base")), plain_.base(plan, content_.product)},
                {say(GLISSADE_TEXT("Seed")), std::to_string(plan.seed)},
                {say(GLISSADE_TEXT("Program")), std::string("Glissade ") + kVersion}}));
-    report_.blocks.emplace_back(ReportText{say(GLISSADE_TEXT(
-        "Every motion is certified: the part keeps its clearance from all parts that are there, on all of its way."))});
+    report_.blocks.emplace_back(
+        ReportText{say(GLISSADE_TEXT("Every motion is certified: the part keeps its clearance from all parts that are "
+                                     "present, along its whole path."))});
     const auto count = std::count(content_.checks.begin(), content_.checks.end(), StepCheck::Agrees);
     const auto notAsked = std::count(content_.checks.begin(), content_.checks.end(), StepCheck::NotAsked);
     if (static_cast<std::size_t>(notAsked) < content_.checks.size()) {
@@ -77,10 +78,10 @@ class Composer {
                          {std::to_string(count), std::to_string(plan.steps.size())})});
     }
     if (!content_.missing.empty()) {
-      report_.blocks.emplace_back(ReportText{say(
-          GLISSADE_TEXT(
-              "The proof is about the product without these shapes of the file, which were not made into bodies: %1."),
-          {listOf(content_.missing)})});
+      report_.blocks.emplace_back(
+          ReportText{say(GLISSADE_TEXT("The certificate is about the product without these shapes of the file, which "
+                                       "were not made into bodies: %1."),
+                         {listOf(content_.missing)})});
     }
     for (const std::string& condition : content_.conditions) {
       report_.blocks.emplace_back(ReportText{say(GLISSADE_TEXT("The plan is valid only if %1."), {condition})});
@@ -88,13 +89,13 @@ class Composer {
     const std::size_t joined = plan.removed() - bodiesApart(plan);
     if (joined > 0) {
       report_.blocks.emplace_back(ReportText{
-          say(GLISSADE_TEXT("%1 {1|part leaves in a group that is|parts leave in groups that are} not taken apart."),
+          say(GLISSADE_TEXT(
+                  "%1 {1|part is removed in a group that is|parts are removed in groups that are} not disassembled."),
               {std::to_string(joined)})});
     }
     if (content_.deviation > 0.0) {
       report_.blocks.emplace_back(ReportText{
-          say(GLISSADE_TEXT("The certificates are about triangles, which are within ± %1 of the CAD surfaces."),
-              {plain_.length(content_.deviation)})});
+          say(GLISSADE_TEXT("CAD accuracy of the certificates: ± %1."), {plain_.length(content_.deviation)})});
     }
     picture(content_.explodedPicture, say(GLISSADE_TEXT("The product, exploded")));
   }
@@ -147,7 +148,7 @@ class Composer {
                        {say(GLISSADE_TEXT("Tool")), ReportColumn::Kind::Prose}},
                       {}};
     if (!access.empty())
-      table.columns.push_back({say(GLISSADE_TEXT("Access of a hand, sampled")), ReportColumn::Kind::Prose});
+      table.columns.push_back({say(GLISSADE_TEXT("Hand access, sampled")), ReportColumn::Kind::Prose});
     for (std::size_t i = line.steps.size(); i > 0; --i) {
       const AssemblyStep& step = line.steps[i - 1];
       const std::string tool = plain_.tool(step, content_.product);
@@ -197,7 +198,8 @@ class Composer {
             : say(GLISSADE_TEXT("Steps %1 to %2 of %3: %4"),
                   {first, stepNumber(range.place + range.count - 1), all, std::to_string(range.count) + " × " + kind});
     report_.blocks.emplace_back(ReportHeading{title, 2, true});
-    if (task < content_.pictures.size()) picture(content_.pictures[task], say(GLISSADE_TEXT("%1 on its way"), {name}));
+    if (task < content_.pictures.size())
+      picture(content_.pictures[task], say(GLISSADE_TEXT("%1, removal path"), {name}));
     report_.blocks.emplace_back(facts(factsOf(steps, bodies, range.place)));
   }
 
@@ -216,10 +218,10 @@ class Composer {
         rows);
     for (std::size_t at = place; !content_.access.steps.empty() && at < place + steps.size(); ++at) {
       const std::string& text = content_.access.steps[content_.plan.steps.size() - 1 - at];
-      if (rows.back().back() != text) rows.push_back({say(GLISSADE_TEXT("Access of a hand, sampled")), text});
+      if (rows.back().back() != text) rows.push_back({say(GLISSADE_TEXT("Hand access, sampled")), text});
     }
     addRows(
-        say(GLISSADE_TEXT("To be held")), steps,
+        say(GLISSADE_TEXT("Support")), steps,
         [&](const AssemblyStep& step) { return Texts{plain_.standing(step, product)}; }, rows);
     addRows(
         say(GLISSADE_TEXT("Forced, although")), steps,

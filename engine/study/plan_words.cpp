@@ -109,7 +109,7 @@ std::vector<std::string> PlanWords::violations(const AssemblyStep& step, const A
     const std::string bodies = someOf(violation.bodies, product);
     switch (violation.rule) {
       case StepViolation::Rule::Before:
-        texts.push_back(words_(GLISSADE_TEXT("demanded before it: %1"), {bodies}));
+        texts.push_back(words_(GLISSADE_TEXT("to be removed before: %1"), {bodies}));
         break;
       case StepViolation::Rule::Fastener:
         texts.push_back(words_(GLISSADE_TEXT("nuts still on it: %1"), {bodies}));
@@ -118,7 +118,7 @@ std::vector<std::string> PlanWords::violations(const AssemblyStep& step, const A
       case StepViolation::Rule::Joint:
         texts.push_back(words_(GLISSADE_TEXT("still joined to it: %1"), {bodies}));
         break;
-      case StepViolation::Rule::Place: texts.push_back(words_(GLISSADE_TEXT("demanded at another place"))); break;
+      case StepViolation::Rule::Place: texts.push_back(words_(GLISSADE_TEXT("constrained to another place"))); break;
     }
   }
   return texts;
@@ -140,7 +140,7 @@ std::string PlanWords::base(const AssemblyPlan& plan, const AssembledProduct& pr
   const bool isLargest = std::find(plan.staying.begin(), plan.staying.end(), largest) != plan.staying.end();
   return words_(GLISSADE_TEXT("%1 (%2)"),
                 {someOf(plan.staying, product),
-                 words_(isLargest ? GLISSADE_TEXT("the largest part") : GLISSADE_TEXT("as a person says"))});
+                 words_(isLargest ? GLISSADE_TEXT("the largest part") : GLISSADE_TEXT("user-defined"))});
 }
 
 std::string PlanWords::work(const AssemblyStep& step, const AssembledProduct& product, PlanOrder order) const {
@@ -161,17 +161,17 @@ std::string PlanWords::joint(const StepJoint& joint, const AssemblyStep& step, c
     case JointKind::Screw:
     case JointKind::Nut: {
       if (!isOwn)
-        return words_(removal ? GLISSADE_TEXT("turn out of %1, %2 {2|turn|turns}")
-                              : GLISSADE_TEXT("turn into %1, %2 {2|turn|turns}"),
+        return words_(removal ? GLISSADE_TEXT("unscrew from %1, %2 {2|turn|turns}")
+                              : GLISSADE_TEXT("screw into %1, %2 {2|turn|turns}"),
                       {what, turns});
       if (joint.kind == JointKind::Nut) {
-        return words_(removal ? GLISSADE_TEXT("turn off nut %1, %2 {2|turn|turns}")
+        return words_(removal ? GLISSADE_TEXT("unscrew nut %1, %2 {2|turn|turns}")
                               : GLISSADE_TEXT("screw on nut %1, %2 {2|turn|turns}"),
                       {what, turns});
       }
-      return words_(removal ? GLISSADE_TEXT("turn out screw %1, %2 {2|turn|turns}")
-                            : GLISSADE_TEXT("screw in %1, %2 {2|turn|turns}"),
-                    {what, turns});
+      return words_(
+          removal ? GLISSADE_TEXT("unscrew %1, %2 {2|turn|turns}") : GLISSADE_TEXT("screw in %1, %2 {2|turn|turns}"),
+          {what, turns});
     }
     case JointKind::Thread: {
       const std::string with = isOwn ? someOf(joint.others, product) : what;
@@ -187,7 +187,7 @@ std::string PlanWords::joint(const StepJoint& joint, const AssemblyStep& step, c
                     {someOf(joint.others, product)});
     case JointKind::Snap: return words_(GLISSADE_TEXT("bent by %1"), {length_(joint.bend)});
     case JointKind::Flexible:
-      return words_(removal ? GLISSADE_TEXT("take off %1") : GLISSADE_TEXT("lay on %1"),
+      return words_(removal ? GLISSADE_TEXT("remove from %1") : GLISSADE_TEXT("lay on %1"),
                     {someOf(joint.others, product)});
     case JointKind::Permanent:
     case JointKind::Unit: break;
@@ -202,9 +202,9 @@ std::string PlanWords::turnedMotion(const AssemblyStep& step, PlanOrder order) c
   const bool removal = order == PlanOrder::Removal;
   const Vector3 way = removal ? last.direction : Vector3(-last.direction);
   const std::string straight = direction(way) + ", " + length_(last.length);
-  return words_(
-      removal ? GLISSADE_TEXT("%1 {1|turn|turns} out, then %2") : GLISSADE_TEXT("%2, then %1 {1|turn|turns} in"),
-      {turns, straight});
+  return words_(removal ? GLISSADE_TEXT("unscrew %1 {1|turn|turns}, then %2")
+                        : GLISSADE_TEXT("%2, then screw in %1 {1|turn|turns}"),
+                {turns, straight});
 }
 
 std::string PlanWords::motion(const AssemblyStep& step, PlanOrder order) const {
@@ -262,10 +262,10 @@ std::vector<std::string> PlanWords::allowances(const AssemblyStep& step, const A
       continue;
     }
     std::string kind = words_(std::string(kContactKindNames.of(allowance.kind)));
-    if (allowance.evidence.byPerson > 0.0) kind += words_(GLISSADE_TEXT(", as a person allows"));
+    if (allowance.evidence.byPerson > 0.0) kind += words_(GLISSADE_TEXT(", user-defined"));
     texts.push_back(allowance.yields
-                        ? words_(GLISSADE_TEXT("%1 taken %2 thinner (%3)"), {other.shown(), length, kind})
-                        : words_(GLISSADE_TEXT("taken %1 thinner against %2 (%3)"), {length, other.shown(), kind}));
+                        ? words_(GLISSADE_TEXT("%2 on %1, which gives way (%3)"), {other.shown(), length, kind})
+                        : words_(GLISSADE_TEXT("%1 on %2 (%3)"), {length, other.shown(), kind}));
   }
   return texts;
 }

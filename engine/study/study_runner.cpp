@@ -145,7 +145,7 @@ class Runner {
             folder_.path(),
             "",
             {GLISSADE_TEXT("interrupted with %1 of %2 {2|run|runs} done"), {progress_.done, progress_.planned}},
-            GLISSADE_TEXT("The same command goes on from here.")};
+            GLISSADE_TEXT("The same command resumes from here.")};
   }
 
   const StudyFolder& folder_;

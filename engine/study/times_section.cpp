@@ -12,9 +12,8 @@ void addLine(const PlanTiming& timing, const StudyWords& words, Report& report) 
   const LineBalance& line = *timing.line;
   report.blocks.emplace_back(
       ReportHeading{words(GLISSADE_TEXT("Line of %1 {1|station|stations}"), {std::to_string(line.load.size())}), 3});
-  report.blocks.emplace_back(
-      ReportText{words(GLISSADE_TEXT("A product leaves the line every %1. No division is faster than %2."),
-                       {secondsText(line.cycle, words), secondsText(line.least, words)})});
+  report.blocks.emplace_back(ReportText{words(GLISSADE_TEXT("Cycle time %1. Minimum %2."),
+                                              {secondsText(line.cycle, words), secondsText(line.least, words)})});
   ReportTable table{"",
                     {{words(GLISSADE_TEXT("Station")), ReportColumn::Kind::Number},
                      {words(GLISSADE_TEXT("Time")), ReportColumn::Kind::Number},
@@ -57,8 +56,8 @@ void addTimesSection(const PlanTiming& timing, const StudyWords& words, Report& 
       ReportTable{"",
                   {{"", ReportColumn::Kind::Text}, {"", ReportColumn::Kind::Prose}},
                   {{words(GLISSADE_TEXT("One person")), secondsText(timing.sum(), words)},
-                   {words(GLISSADE_TEXT("Longest chain")), secondsText(timing.chainSeconds(), words)},
-                   {words(GLISSADE_TEXT("Steps of the longest chain")), numbersText(timing.chain)}}});
+                   {words(GLISSADE_TEXT("Critical path")), secondsText(timing.chainSeconds(), words)},
+                   {words(GLISSADE_TEXT("Steps of the critical path")), numbersText(timing.chain)}}});
   if (timing.line) addLine(timing, words, report);
 }
 

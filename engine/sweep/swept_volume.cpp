@@ -121,7 +121,7 @@ Diagnostic interruption() {
 }
 
 Diagnostic nothingMoves() {
-  return refusal(ErrorKind::Usage, GLISSADE_TEXT("there is nothing that moves"),
+  return refusal(ErrorKind::Usage, GLISSADE_TEXT("there is no moving part"),
                  GLISSADE_TEXT("Give a body with triangles and a path."));
 }
 

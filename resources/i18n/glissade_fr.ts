@@ -4,16 +4,16 @@
 <context>
     <name>ActionHelp</name>
     <message>
-        <source>STEP files of a product become one row for each part, placed as the assembly has it. Meshes may need a unit and an axis. One part moves; the others are static or mobile.</source>
-        <translation>Un fichier STEP d&apos;un produit donne une ligne par pièce, placée comme dans l&apos;assemblage. Pour les maillages, indiquez au besoin l&apos;unité et l&apos;axe vertical. Une pièce bouge&#xa0;; les autres sont statiques ou mobiles.</translation>
+        <source>STEP files of a product become one row for each part, placed as the assembly has it. Meshes may need a unit and an axis. One part is the moving part; the others are static or mobile.</source>
+        <translation>Un fichier STEP d&apos;un produit donne une ligne par pièce, placée comme dans l&apos;assemblage. Pour les maillages, indiquez au besoin l&apos;unité et l&apos;axe vertical. Une pièce est la pièce manipulée&#xa0;; les autres sont statiques ou mobiles.</translation>
     </message>
     <message>
-        <source>A scenario holds bodies, the object that moves, its start and goal, places, fits, kept paths and parameters.</source>
-        <translation>Un scénario contient les corps, l&apos;objet qui bouge, son départ et son but, les lieux, les ajustements, les chemins conservés et les paramètres.</translation>
+        <source>A scenario holds bodies, the moving part, its start and goal, places, fits, kept paths and parameters.</source>
+        <translation>Un scénario contient les corps, la pièce manipulée, son départ et son but, les lieux, les ajustements, les chemins conservés et les paramètres.</translation>
     </message>
     <message>
-        <source>The strategy, the operator and the sliders of the panel Interaction say how. A path that is found is proved free of penetration. Parameters can be changed while the run goes on.</source>
-        <translation>La stratégie, l&apos;opérateur et les curseurs du panneau Interaction déterminent le calcul. Un chemin trouvé est prouvé sans pénétration. Les paramètres peuvent être modifiés pendant le calcul.</translation>
+        <source>The strategy, the operator and the sliders of the panel Interaction say how. A path that is found is certified free of penetration. Parameters can be changed during the run.</source>
+        <translation>La stratégie, l&apos;opérateur et les curseurs du panneau Interaction déterminent le calcul. Un chemin trouvé est certifié sans pénétration. Les paramètres peuvent être modifiés pendant le calcul.</translation>
     </message>
     <message>
         <source>The program changes the values while it plans, from what computer, operator and contact have earned lately. A slider that is touched is set by hand again.</source>
@@ -28,28 +28,28 @@
         <translation>Un jalon est une configuration de passage à la frontière de deux lieux. Vous pouvez aussi le faire glisser dans la scène.</translation>
     </message>
     <message>
-        <source>CAD parts touch in their assembled position. Where clearance is required, start or goal have to move by the distance that is found and stated.</source>
-        <translation>Les pièces CAO se touchent en position assemblée. Si un jeu est exigé, le départ ou le but doivent être écartés&#xa0;; la distance trouvée est indiquée.</translation>
+        <source>CAD parts touch in their assembled position. If clearance is required, start and goal collide there. They are moved by the smallest distance that resolves this, and the distance is stated.</source>
+        <translation>Les pièces CAO se touchent en position assemblée. Si un jeu est exigé, le départ et le but y sont en collision. Ils sont déplacés de la plus petite distance qui la résout, et cette distance est indiquée.</translation>
     </message>
     <message>
-        <source>Parts of a product touch or overlap as designed. A fit says by how much the object is taken thinner against one body, and every result states it.</source>
-        <translation>Les pièces d&apos;un produit se touchent ou se recouvrent par conception. Un ajustement indique de combien l&apos;objet est aminci face à un corps, et chaque résultat le mentionne.</translation>
+        <source>Parts of a product touch or overlap as designed. A fit has an allowance: the object is that much thinner against one body. Every result states it.</source>
+        <translation>Les pièces d&apos;un produit se touchent ou se recouvrent par conception. Un ajustement a un amincissement&#xa0;: l&apos;objet est d&apos;autant plus mince face à un corps. Chaque résultat le mentionne.</translation>
     </message>
     <message>
-        <source>Assembly is the reverse order. The plan says which step makes way for which, which parts have to be held, and which tool turns a fastener.</source>
-        <translation>L&apos;assemblage est l&apos;ordre inverse. Le plan dit quelle étape libère laquelle, quelles pièces il faut tenir, et quel outil tourne une fixation.</translation>
+        <source>Assembly is the reverse order. The plan states which step precedes which, which parts need support, and which tool turns a fastener.</source>
+        <translation>L&apos;assemblage est l&apos;ordre inverse. Le plan indique quelle étape précède quelle autre, quelles pièces demandent un maintien, et quel outil tourne une fixation.</translation>
     </message>
     <message>
-        <source>The shortened path is proved like the planned one; both are kept.</source>
-        <translation>Le chemin raccourci est prouvé comme le chemin planifié&#xa0;; les deux sont conservés.</translation>
+        <source>The shortened path is certified like the planned one; both are kept.</source>
+        <translation>Le chemin raccourci est certifié comme le chemin planifié&#xa0;; les deux sont conservés.</translation>
     </message>
     <message>
         <source>The surface contains the object at every time of the path, and is nowhere farther from it than the stated bound.</source>
         <translation>La surface contient l&apos;objet à chaque instant du chemin, et n&apos;en est nulle part plus éloignée que la borne indiquée.</translation>
     </message>
     <message>
-        <source>The panel Difficulty lists the smallest distance between the two trees, the bodies between them, and by how much the object would have to be thinner.</source>
-        <translation>Le panneau Difficulté énumère la plus petite distance entre les deux arbres, les corps entre eux, et de combien l&apos;objet devrait être plus mince.</translation>
+        <source>The panel Difficulty lists the smallest distance between the two trees, the bodies between them, and how much more room the object needs.</source>
+        <translation>Le panneau Difficulté énumère la plus petite distance entre les deux arbres, les corps entre eux, et la place qui manque à l&apos;objet.</translation>
     </message>
     <message>
         <source>Every run is recorded with its seed, its parameters and what the operator did. The replay gives the same roadmap, node by node.</source>
@@ -60,12 +60,12 @@
         <translation>D&apos;ordinaire, touches et périphériques déplacent l&apos;objet. En mode caméra, ils déplacent la vue.</translation>
     </message>
     <message>
-        <source>The object is what moves: one body, or several as one rigid body. All other bodies are obstacles.</source>
-        <translation>L&apos;objet est ce qui bouge&#xa0;: un corps, ou plusieurs comme un seul corps rigide. Tous les autres corps sont des obstacles.</translation>
+        <source>The object is the moving part: one body, or several as one rigid body. All other bodies are obstacles.</source>
+        <translation>L&apos;objet est la pièce manipulée&#xa0;: un corps, ou plusieurs comme un seul corps rigide. Tous les autres corps sont des obstacles.</translation>
     </message>
     <message>
-        <source>CAD files often hold variants of a part that are drawn over each other. One is built, the others are left out. Proofs are about the product without them.</source>
-        <translation>Les fichiers de CAO contiennent souvent des variantes d&apos;une pièce dessinées l&apos;une sur l&apos;autre. Une seule est construite, les autres sont écartées. Les preuves portent sur le produit sans elles.</translation>
+        <source>CAD files often hold variants of a part that are drawn over each other. One is built, the others are excluded. Certificates are about the product without them.</source>
+        <translation>Les fichiers de CAO contiennent souvent des variantes d&apos;une pièce dessinées l&apos;une sur l&apos;autre. Une seule est construite, les autres sont exclues. Les certificats portent sur le produit sans elles.</translation>
     </message>
     <message>
         <source>Screws, nuts, inserts, pins and rolling bearings are recognised by their shapes. Belts, clips, what is glued, and purchased units are suggested and count when you confirm them.</source>
@@ -103,7 +103,7 @@
         <translation>Mettre les plans de coupe au premier plan</translation>
     </message>
     <message>
-        <source>Begin again when the path was played to its end</source>
+        <source>Play the path again when its end is reached</source>
         <translation>Reprendre la lecture du chemin au début quand elle arrive à la fin</translation>
     </message>
     <message>
@@ -243,8 +243,8 @@
         <translation>&amp;Lire le chemin</translation>
     </message>
     <message>
-        <source>Show the bodies, the ends and the path, direction kept</source>
-        <translation>Cadrer les corps, les extrémités et le chemin sans changer de direction</translation>
+        <source>Fit bodies, start, goal and path in the view, direction kept</source>
+        <translation>Cadrer les corps, le départ, le but et le chemin sans changer de direction</translation>
     </message>
     <message>
         <source>Look from a corner</source>
@@ -311,7 +311,7 @@
         <translation>&amp;Changer les raccourcis...</translation>
     </message>
     <message>
-        <source>Give commands other shortcuts</source>
+        <source>Assign other shortcuts to commands</source>
         <translation>Attribuer d&apos;autres raccourcis aux commandes</translation>
     </message>
     <message>
@@ -387,11 +387,11 @@
         <translation>Montrer le graphe topologique avec ses coûts</translation>
     </message>
     <message>
-        <source>Show the cheapest way through the graph</source>
-        <translation>Montrer le trajet le moins coûteux dans le graphe</translation>
+        <source>Show the cheapest path through the graph</source>
+        <translation>Montrer le chemin le moins coûteux dans le graphe</translation>
     </message>
     <message>
-        <source>Show where the local planner of the chosen step searches</source>
+        <source>Show where the local planner of the selected step searches</source>
         <translation>Montrer où cherche le planificateur local de l&apos;étape sélectionnée</translation>
     </message>
     <message>
@@ -483,7 +483,7 @@
         <translation>Montrer la force de guidage&#xa0;: une flèche pour la force, une teinte pour son intensité</translation>
     </message>
     <message>
-        <source>Empty the list of the files opened last</source>
+        <source>Clear the list of recent files</source>
         <translation>Vider la liste des fichiers récents</translation>
     </message>
     <message>
@@ -499,7 +499,7 @@
         <translation>&amp;Pourquoi pas de chemin&#xa0;?</translation>
     </message>
     <message>
-        <source>Play the way of &amp;least penetration</source>
+        <source>Play the path of &amp;least penetration</source>
         <translation>Lire le chemin de &amp;moindre pénétration</translation>
     </message>
     <message>
@@ -523,11 +523,11 @@
         <translation>Afficher de nouveau tous les obstacles</translation>
     </message>
     <message>
-        <source>Put all panels where they were at first</source>
-        <translation>Remettre tous les panneaux à leur place d&apos;origine</translation>
+        <source>Restore the default layout of the panels</source>
+        <translation>Rétablir la disposition par défaut des panneaux</translation>
     </message>
     <message>
-        <source>Show why no path was found: blocking body, gap, way of least penetration</source>
+        <source>Show why no path was found: blocking body, gap, path of least penetration</source>
         <translation>Montrer pourquoi aucun chemin n&apos;a été trouvé&#xa0;: corps bloquant, écart, chemin de moindre pénétration</translation>
     </message>
     <message>
@@ -551,8 +551,8 @@
         <translation>Placer le &amp;but ici</translation>
     </message>
     <message>
-        <source>Goal &amp;out</source>
-        <translation>But «&#xa0;de&amp;hors&#xa0;»</translation>
+        <source>Goal: rem&amp;oved</source>
+        <translation>But&#xa0;: &amp;démonté</translation>
     </message>
     <message>
         <source>S&amp;wap start and goal</source>
@@ -571,8 +571,8 @@
         <translation>Enregistrer le chemin certifié&#xa0;: les données, ou une animation pour visionneuses 3D</translation>
     </message>
     <message>
-        <source>Read a path of this scenario, and prove that it holds or see where it is blocked</source>
-        <translation>Ouvrir un chemin de ce scénario, et prouver qu&apos;il est valide ou montrer où il est bloqué</translation>
+        <source>Read a path of this scenario, and certify it or see where it is blocked</source>
+        <translation>Ouvrir un chemin de ce scénario, et le certifier ou montrer où il est bloqué</translation>
     </message>
     <message>
         <source>&amp;Film of the path...</source>
@@ -603,7 +603,7 @@
         <translation>Lister les paires de corps qui se touchent ou se recouvrent, avec leur type et leur amincissement</translation>
     </message>
     <message>
-        <source>Draw the two bodies of the chosen fit and no other obstacles</source>
+        <source>Draw the two bodies of the selected fit and no other obstacles</source>
         <translation>N&apos;afficher que les deux corps de l&apos;ajustement sélectionné</translation>
     </message>
     <message>
@@ -611,11 +611,11 @@
         <translation>A&amp;ccepter l&apos;interférence</translation>
     </message>
     <message>
-        <source>Allow the overlap of the chosen pair; results state it</source>
+        <source>Allow the overlap of the selected pair; results state it</source>
         <translation>Admettre le recouvrement de la paire sélectionnée&#xa0;; les résultats l&apos;indiquent</translation>
     </message>
     <message>
-        <source>The chosen pair is a thread that is drawn as cylinders</source>
+        <source>The selected pair is a thread that is drawn as cylinders</source>
         <translation>La paire sélectionnée est un filetage représenté par des cylindres</translation>
     </message>
     <message>
@@ -715,8 +715,8 @@
         <translation>Mettre le journal des messages au premier plan</translation>
     </message>
     <message>
-        <source>Type a part of its name to find any command and carry it out</source>
-        <translation>Saisir une partie de son nom pour trouver une commande et l&apos;exécuter</translation>
+        <source>Type a part of its name, or another word for it, to find any command and run it</source>
+        <translation>Taper une partie du nom, ou un mot de même sens, pour trouver une commande et l&apos;exécuter</translation>
     </message>
     <message>
         <source>Copy for a &amp;bug report</source>
@@ -743,24 +743,24 @@
         <translation>Planifier la sé&amp;quence</translation>
     </message>
     <message>
-        <source>Find in which order the parts of the product leave, each with a certified motion</source>
-        <translation>Chercher dans quel ordre les pièces du produit sortent, chacune par un mouvement certifié</translation>
+        <source>Find in which order the parts of the product are removed, each with a certified motion</source>
+        <translation>Chercher dans quel ordre les pièces du produit se démontent, chacune par un mouvement certifié</translation>
     </message>
     <message>
-        <source>&amp;Go on planning</source>
-        <translation>&amp;Continuer la planification de la séquence</translation>
+        <source>Resume plannin&amp;g</source>
+        <translation>Reprendre la planifi&amp;cation de la séquence</translation>
     </message>
     <message>
-        <source>Go on with the sequence where planning was stopped</source>
-        <translation>Continuer la séquence là où la planification a été arrêtée</translation>
+        <source>Resume the sequence where planning was stopped</source>
+        <translation>Reprendre la séquence là où la planification a été arrêtée</translation>
     </message>
     <message>
-        <source>Keep the selected bodies in the product when the sequence is planned, or not</source>
-        <translation>Laisser les corps sélectionnés dans le produit quand la séquence est planifiée, ou les laisser sortir</translation>
+        <source>The selected bodies are the base: the sequence does not remove them. Or release them</source>
+        <translation>Les corps sélectionnés forment la base&#xa0;: la séquence ne les démonte pas. Ou les libérer</translation>
     </message>
     <message>
-        <source>Read an assembly plan of this product, and prove each step again</source>
-        <translation>Lire un plan d&apos;assemblage de ce produit, et prouver de nouveau chaque étape</translation>
+        <source>Read an assembly plan of this product, and certify each step again</source>
+        <translation>Lire un plan d&apos;assemblage de ce produit, et certifier de nouveau chaque étape</translation>
     </message>
     <message>
         <source>Save the plan, its work instruction, its table of steps or its animation</source>
@@ -779,16 +779,16 @@
         <translation>Mettre le plan d&apos;assemblage au premier plan</translation>
     </message>
     <message>
-        <source>Order as a &amp;graph</source>
-        <translation>Ordre en &amp;graphe</translation>
+        <source>Precedence &amp;graph</source>
+        <translation>&amp;Graphe d&apos;antériorité</translation>
     </message>
     <message>
-        <source>Of several chosen steps, each is to leave before the next one</source>
+        <source>Each of the selected steps comes before the next one</source>
         <translation>Chaque étape sélectionnée doit précéder la suivante</translation>
     </message>
     <message>
-        <source>&amp;Take the path as the step</source>
-        <translation>&amp;Prendre le chemin comme étape</translation>
+        <source>Use this pat&amp;h</source>
+        <translation>&amp;Utiliser ce chemin</translation>
     </message>
     <message>
         <source>Go back to the sequence with the certified path of the part that was moved by hand</source>
@@ -831,12 +831,12 @@
         <translation>Quitter Glissade</translation>
     </message>
     <message>
-        <source>Pause the planner, or let it continue</source>
-        <translation>Suspendre le planificateur, ou le laisser continuer</translation>
+        <source>Pause the planner, or resume it</source>
+        <translation>Suspendre le planificateur, ou le reprendre</translation>
     </message>
     <message>
-        <source>End the run; what was found is still shown</source>
-        <translation>Arrêter le calcul&#xa0;; ce qui a été trouvé reste affiché</translation>
+        <source>Stop the run; its results are kept</source>
+        <translation>Arrêter le calcul&#xa0;; ses résultats sont conservés</translation>
     </message>
     <message>
         <source>Move the object back to the start</source>
@@ -863,15 +863,15 @@
         <translation>Rétablir la modification annulée</translation>
     </message>
     <message>
-        <source>Prefer ways through the selected places, or no longer</source>
-        <translation>Favoriser le passage par les lieux sélectionnés, ou ne plus le favoriser</translation>
+        <source>Prefer paths through the selected places, or no longer</source>
+        <translation>Favoriser les chemins par les lieux sélectionnés, ou ne plus les favoriser</translation>
     </message>
     <message>
-        <source>Let the chosen step end at the present pose of the object</source>
+        <source>Let the selected step end at the present pose of the object</source>
         <translation>Terminer l&apos;étape sélectionnée à la position actuelle de l&apos;objet</translation>
     </message>
     <message>
-        <source>Let the planner choose where the chosen step ends</source>
+        <source>Let the planner choose where the selected step ends</source>
         <translation>Laisser le planificateur choisir où finit l&apos;étape sélectionnée</translation>
     </message>
     <message>
@@ -879,11 +879,11 @@
         <translation>Lancer ou suspendre la relecture</translation>
     </message>
     <message>
-        <source>Find the tightest passage, and by how much bodies overlap on the way of least penetration</source>
+        <source>Find the tightest passage, and by how much bodies overlap on the path of least penetration</source>
         <translation>Trouver le passage le plus étroit, et le recouvrement des corps sur le chemin de moindre pénétration</translation>
     </message>
     <message>
-        <source>Move the object along the way of least penetration, or pause</source>
+        <source>Move the object along the path of least penetration, or pause</source>
         <translation>Déplacer l&apos;objet le long du chemin de moindre pénétration, ou suspendre la lecture</translation>
     </message>
     <message>
@@ -891,8 +891,8 @@
         <translation>Masquer les obstacles sélectionnés&#xa0;; la planification en tient toujours compte</translation>
     </message>
     <message>
-        <source>Make a scenario from STEP, mesh or URDF files, one of which moves</source>
-        <translation>Créer un scénario à partir de fichiers STEP, de maillages ou URDF, dont une pièce bouge</translation>
+        <source>Make a scenario from STEP, mesh or URDF files, with one moving part</source>
+        <translation>Créer un scénario à partir de fichiers STEP, de maillages ou URDF, avec une pièce manipulée</translation>
     </message>
     <message>
         <source>Add parts from STEP, mesh or URDF files to the scene</source>
@@ -911,8 +911,8 @@
         <translation>Prendre la position actuelle de l&apos;objet comme but</translation>
     </message>
     <message>
-        <source>The goal is any pose clear of the other bodies</source>
-        <translation>Le but est toute position à l&apos;écart des autres corps</translation>
+        <source>The goal is any pose outside of the other bodies: the part is removed</source>
+        <translation>Le but est une pose quelconque hors des autres corps&#xa0;: la pièce est démontée</translation>
     </message>
     <message>
         <source>Plan the insertion instead of the removal, or the other way round</source>
@@ -923,20 +923,20 @@
         <translation>Supprimer les modifications de lieux et de frontières qui n&apos;existent plus</translation>
     </message>
     <message>
-        <source>Language, theme, size of texts, unit of lengths, navigation, colours</source>
-        <translation>Langue, thème, taille des textes, unité des longueurs, navigation, couleurs</translation>
+        <source>Language, theme, font size, unit of lengths, navigation, colours</source>
+        <translation>Langue, thème, taille de police, unité des longueurs, navigation, couleurs</translation>
     </message>
     <message>
-        <source>Give the chosen pair no allowance: it must keep the required clearance</source>
+        <source>Give the selected pair no allowance: it must keep the required clearance</source>
         <translation>N&apos;admettre aucun amincissement pour la paire sélectionnée&#xa0;: elle doit garder le jeu exigé</translation>
     </message>
     <message>
-        <source>Undo the decision about the chosen pair</source>
+        <source>Undo the decision about the selected pair</source>
         <translation>Annuler la décision prise pour la paire sélectionnée</translation>
     </message>
     <message>
-        <source>Zoom to what is refused: the bodies, and where they overlap</source>
-        <translation>Zoomer sur le refus&#xa0;: les corps, et l&apos;endroit où ils se recouvrent</translation>
+        <source>Zoom to the collision: the bodies, and where they overlap</source>
+        <translation>Zoomer sur la collision&#xa0;: les corps, et l&apos;endroit où ils se recouvrent</translation>
     </message>
     <message>
         <source>Give the object an allowance against the bodies that it overlaps there; results state it</source>
@@ -948,22 +948,22 @@
     </message>
     <message>
         <source>Draw removed parts where their motion ends, or hide them</source>
-        <translation>Montrer les pièces sorties là où leur mouvement finit, ou les masquer</translation>
+        <translation>Montrer les pièces démontées là où leur mouvement finit, ou les masquer</translation>
     </message>
     <message>
-        <source>Forbid this &amp;direction of removal</source>
-        <translation>&amp;Interdire cette direction de sortie</translation>
+        <source>Rule out this &amp;direction of removal</source>
+        <translation>&amp;Interdire cette direction de démontage</translation>
     </message>
     <message>
-        <source>Do not let the parts of the chosen step leave in its direction</source>
-        <translation>Interdire aux pièces de l&apos;étape sélectionnée de sortir dans sa direction</translation>
+        <source>The parts of the selected step are not removed in its direction</source>
+        <translation>Les pièces de l&apos;étape sélectionnée ne se démontent pas dans sa direction</translation>
     </message>
     <message>
-        <source>Remove the demands on the chosen parts: places, motions, directions, order</source>
-        <translation>Supprimer les exigences sur les pièces sélectionnées&#xa0;: places, mouvements, directions, ordre</translation>
+        <source>Remove the constraints on the selected parts: places, motions, directions, order</source>
+        <translation>Supprimer les contraintes sur les pièces sélectionnées&#xa0;: places, mouvements, directions, ordre</translation>
     </message>
     <message>
-        <source>Move the part of the chosen step by hand, among the parts that are present at that step</source>
+        <source>Move the part of the selected step by hand, among the parts that are present at that step</source>
         <translation>Déplacer à la main la pièce de l&apos;étape sélectionnée, parmi les pièces présentes à cette étape</translation>
     </message>
     <message>
@@ -1287,8 +1287,8 @@
         <translation>Départ &amp;ici</translation>
     </message>
     <message>
-        <source>Move the &amp;ends clear</source>
-        <translation>Dégager les &amp;extrémités</translation>
+        <source>&amp;Resolve start and goal collisions</source>
+        <translation>Résoudre les co&amp;llisions du départ et du but</translation>
     </message>
     <message>
         <source>Rules of the strate&amp;gy...</source>
@@ -1411,8 +1411,8 @@
         <translation>&amp;Jouer le chemin à rebours</translation>
     </message>
     <message>
-        <source>Selected &amp;bodies stay</source>
-        <translation>&amp;Les corps sélectionnés restent</translation>
+        <source>Fix as &amp;base</source>
+        <translation>Fixer comme &amp;base</translation>
     </message>
     <message>
         <source>&amp;Open a sequence...</source>
@@ -1451,8 +1451,8 @@
         <translation>&amp;Verrouiller l&apos;étape</translation>
     </message>
     <message>
-        <source>&amp;Keep the order of the chosen steps</source>
-        <translation>&amp;Garder l&apos;ordre des étapes choisies</translation>
+        <source>&amp;Keep the order of the selected steps</source>
+        <translation>&amp;Garder l&apos;ordre des étapes sélectionnées</translation>
     </message>
     <message>
         <source>Move the &amp;part by hand</source>
@@ -1467,8 +1467,8 @@
         <translation>&amp;Déplacer par pas</translation>
     </message>
     <message>
-        <source>&amp;Remove the demands on the step</source>
-        <translation>Supprime&amp;r les exigences sur l&apos;étape</translation>
+        <source>&amp;Remove the constraints on the step</source>
+        <translation>Supprime&amp;r les contraintes sur l&apos;étape</translation>
     </message>
     <message>
         <source>Open the context &amp;menu</source>
@@ -1631,12 +1631,12 @@
         <translation>Cau&amp;ses de l&apos;absence de chemin</translation>
     </message>
     <message>
-        <source>Where the object touches or overlaps a body at its start or goal, move it clear by the smallest distance that is found</source>
-        <translation>Si l&apos;objet touche ou recouvre un corps à son départ ou à son but, l&apos;écarter de la plus petite distance trouvée</translation>
+        <source>Move start and goal out of contact and collision by the smallest distance that is found</source>
+        <translation>Écarter le départ et le but de tout contact et de toute collision, de la plus petite distance trouvée</translation>
     </message>
     <message>
-        <source>Fit the workspace to all bodies, with room for the object to leave</source>
-        <translation>Ajuster l&apos;espace de travail à tous les corps, avec la place nécessaire à la sortie de l&apos;objet</translation>
+        <source>Fit the workspace to all bodies, with room to remove the object</source>
+        <translation>Ajuster l&apos;espace de travail à tous les corps, avec la place nécessaire au démontage de l&apos;objet</translation>
     </message>
     <message>
         <source>Show the swept volume: all that the object covers along the path</source>
@@ -1655,24 +1655,24 @@
         <translation>Pièces so&amp;rties à côté du produit</translation>
     </message>
     <message>
-        <source>Show which step makes way for which, and which parts block the stuck ones</source>
-        <translation>Montrer quelle étape libère quelle autre, et quelles pièces bloquent celles qui ne sortent pas</translation>
+        <source>Show which step precedes which, and which parts block the stuck ones</source>
+        <translation>Montrer quelle étape précède quelle autre, et quelles pièces bloquent celles qui sont coincées</translation>
     </message>
     <message>
-        <source>Move the chosen step of the sequence one row up; the other steps are planned again</source>
+        <source>Move the selected step of the sequence one row up; the other steps are planned again</source>
         <translation>Monter d&apos;une ligne l&apos;étape sélectionnée&#xa0;; la suite est replanifiée</translation>
     </message>
     <message>
-        <source>Move the chosen step of the sequence one row down; the other steps are planned again</source>
+        <source>Move the selected step of the sequence one row down; the other steps are planned again</source>
         <translation>Descendre d&apos;une ligne l&apos;étape sélectionnée&#xa0;; la suite est replanifiée</translation>
     </message>
     <message>
-        <source>Keep the places and motions of the chosen steps, or release them</source>
+        <source>Keep the places and motions of the selected steps, or release them</source>
         <translation>Garder la place et le mouvement des étapes sélectionnées, ou les libérer</translation>
     </message>
     <message>
-        <source>Put a vertex, an edge, an axis or a plane onto one of another body: click that of what moves, then the other</source>
-        <translation>Mettre un sommet, une arête, un axe ou un plan sur celui d&apos;un autre corps : cliquer celui de ce qui bouge, puis l&apos;autre</translation>
+        <source>Put a vertex, an edge, an axis or a plane onto one of another body: click that of the moving part, then the other</source>
+        <translation>Mettre un sommet, une arête, un axe ou un plan sur celui d&apos;un autre corps&#xa0;: cliquer celui de la pièce manipulée, puis l&apos;autre</translation>
     </message>
     <message>
         <source>Turn what was aligned last round: the axis, or the face, looks the other way; a cylinder goes to the other side of the plane</source>
@@ -1699,12 +1699,12 @@
         <translation>&amp;Aligner...</translation>
     </message>
     <message>
-        <source>&amp;Leave the selected bodies out</source>
-        <translation>&amp;Écarter les corps sélectionnés</translation>
+        <source>E&amp;xclude the selected bodies</source>
+        <translation>E&amp;xclure les corps sélectionnés</translation>
     </message>
     <message>
-        <source>The scenario keeps the selected bodies, and they are not there: variants that are not built</source>
-        <translation>Le scénario garde les corps sélectionnés, mais ils ne sont pas là&#xa0;: variantes qui ne sont pas construites</translation>
+        <source>The selected bodies are kept in the scenario, and are not part of the product: variants that are not built</source>
+        <translation>Les corps sélectionnés restent dans le scénario, et ne font pas partie du produit&#xa0;: variantes non construites</translation>
     </message>
     <message>
         <source>Choose &amp;variants...</source>
@@ -1715,28 +1715,28 @@
         <translation>Corps qui remplissent le même endroit&#xa0;: choisir celui qui est construit</translation>
     </message>
     <message>
-        <source>P&amp;ut the bodies back</source>
-        <translation>Remettre les c&amp;orps</translation>
+        <source>Incl&amp;ude the selected bodies</source>
+        <translation>Inclur&amp;e les corps sélectionnés</translation>
     </message>
     <message>
-        <source>The selected bodies under &quot;Left out&quot; are there again</source>
-        <translation>Les corps sélectionnés sous «&#xa0;Écartés&#xa0;» sont de nouveau là</translation>
+        <source>The selected bodies under &quot;Excluded&quot; are part of the product again</source>
+        <translation>Les corps sélectionnés sous «&#xa0;Exclus&#xa0;» font de nouveau partie du produit</translation>
     </message>
     <message>
-        <source>The selected bodies &amp;move</source>
-        <translation>Les corps sélectionnés &amp;bougent</translation>
+        <source>&amp;Make moving part</source>
+        <translation>Dé&amp;finir comme pièce manipulée</translation>
     </message>
     <message>
-        <source>The selected bodies become the object, as one, from their present pose to &quot;out&quot;; what was the object and is not selected stays at its start</source>
-        <translation>Les corps sélectionnés deviennent l&apos;objet, ensemble, de leur position actuelle à «&#xa0;dehors&#xa0;»&#xa0;; ce qui était l&apos;objet et n&apos;est pas sélectionné reste à son départ</translation>
+        <source>The selected bodies become the moving part, as one, from their present pose to &quot;removed&quot;; the moving part of before stays at its start</source>
+        <translation>Les corps sélectionnés deviennent la pièce manipulée, ensemble, de leur position actuelle à «&#xa0;démonté&#xa0;»&#xa0;; la pièce manipulée d&apos;avant reste à son départ</translation>
     </message>
     <message>
-        <source>&amp;Times of the assembly</source>
-        <translation>Temps de l&apos;&amp;assemblage</translation>
+        <source>Assembly &amp;times</source>
+        <translation>Temps d&apos;&amp;assemblage</translation>
     </message>
     <message>
-        <source>Show how long the steps take, the longest chain, and how stations of a line divide them</source>
-        <translation>Montrer la durée des étapes, la chaîne la plus longue et leur répartition sur les postes d&apos;une ligne</translation>
+        <source>Show the times of the steps, the critical path, and the balance of a line with several stations</source>
+        <translation>Montrer les temps des étapes, le chemin critique et l&apos;équilibrage d&apos;une ligne à plusieurs postes</translation>
     </message>
     <message>
         <source>Confirm</source>
@@ -1767,64 +1767,64 @@
         <translation>&amp;Isoler les corps de la liaison</translation>
     </message>
     <message>
-        <source>Draw the bodies of the chosen joints and no other obstacles</source>
-        <translation>N&apos;afficher que les corps des liaisons choisies, sans les autres obstacles</translation>
+        <source>Draw the bodies of the selected joints and no other obstacles</source>
+        <translation>N&apos;afficher que les corps des liaisons sélectionnées, sans les autres obstacles</translation>
     </message>
     <message>
         <source>&amp;Confirm the joint</source>
         <translation>&amp;Confirmer la liaison</translation>
     </message>
     <message>
-        <source>The chosen joints are there as they were found; assembly plans keep to them</source>
-        <translation>Les liaisons choisies existent telles qu&apos;elles ont été trouvées&#xa0;; les plans d&apos;assemblage les respectent</translation>
+        <source>The selected joints exist as they were found; assembly plans respect them</source>
+        <translation>Les liaisons sélectionnées existent telles qu&apos;elles ont été trouvées&#xa0;; les plans d&apos;assemblage les respectent</translation>
     </message>
     <message>
         <source>Confirm &amp;all suggested joints</source>
         <translation>Confirmer les liaisons &amp;proposées</translation>
     </message>
     <message>
-        <source>All joints that are only suggested are there</source>
-        <translation>Toutes les liaisons qui ne sont que proposées existent</translation>
+        <source>All joints that are only suggested exist</source>
+        <translation>Toutes les liaisons seulement proposées existent</translation>
     </message>
     <message>
         <source>&amp;Dissolve the joint</source>
         <translation>&amp;Supprimer la liaison</translation>
     </message>
     <message>
-        <source>The chosen joints are not there; assembly plans ignore them</source>
-        <translation>Les liaisons choisies n&apos;existent pas&#xa0;; les plans d&apos;assemblage les ignorent</translation>
+        <source>The selected joints do not exist; assembly plans ignore them</source>
+        <translation>Les liaisons sélectionnées n&apos;existent pas&#xa0;; les plans d&apos;assemblage les ignorent</translation>
     </message>
     <message>
         <source>&amp;Press the insert out</source>
         <translation>C&amp;hasser l&apos;insert</translation>
     </message>
     <message>
-        <source>The chosen inserts come out of their hosts along their axes</source>
-        <translation>Les inserts choisis sortent de leur logement le long de leur axe</translation>
+        <source>The selected inserts are pressed out of their hosts along their axes</source>
+        <translation>Les inserts sélectionnés sont chassés de leur logement le long de leur axe</translation>
     </message>
     <message>
         <source>&amp;Open the unit</source>
         <translation>&amp;Ouvrir l&apos;unité</translation>
     </message>
     <message>
-        <source>The bodies of the chosen units are taken apart</source>
-        <translation>Les corps des unités choisies se démontent</translation>
+        <source>The bodies of the selected units are disassembled</source>
+        <translation>Les corps des unités sélectionnées se démontent</translation>
     </message>
     <message>
         <source>&amp;Use the joint as found</source>
         <translation>&amp;Utiliser la liaison trouvée</translation>
     </message>
     <message>
-        <source>Undo the decision about the chosen joints</source>
-        <translation>Annuler la décision sur les liaisons choisies</translation>
+        <source>Undo the decision about the selected joints</source>
+        <translation>Annuler la décision sur les liaisons sélectionnées</translation>
     </message>
     <message>
         <source>C&amp;hange the joint...</source>
         <translation>&amp;Modifier la liaison...</translation>
     </message>
     <message>
-        <source>Give the chosen joint another kind, direction, thread or bend</source>
-        <translation>Donner à la liaison choisie un autre type, une autre direction, un autre filetage ou une autre flexion</translation>
+        <source>Give the selected joint another kind, direction, thread or bend</source>
+        <translation>Donner à la liaison sélectionnée un autre type, une autre direction, un autre filetage ou une autre flexion</translation>
     </message>
     <message>
         <source>&amp;Make a joint...</source>
@@ -1847,8 +1847,8 @@
         <translation>Rapport de la sé&amp;quence...</translation>
     </message>
     <message>
-        <source>Save what an engineer reads of the plan: motions, clearances, allowances, checks and times</source>
-        <translation>Enregistrer ce qu&apos;un ingénieur lit du plan : mouvements, jeux, amincissements, vérifications et temps</translation>
+        <source>Save the report of the plan for the engineer: motions, clearances, allowances, checks and times</source>
+        <translation>Enregistrer le rapport du plan pour l&apos;ingénieur&#xa0;: mouvements, jeux, amincissements, vérifications et temps</translation>
     </message>
     <message>
         <source>Work instructions on &amp;Letter paper</source>
@@ -2035,8 +2035,8 @@
         <translation>&amp;Produit sur une table dans le casque</translation>
     </message>
     <message>
-        <source>Steer in other &amp;axes</source>
-        <translation>Guider selon d&apos;autres a&amp;xes</translation>
+        <source>Change steering &amp;axes</source>
+        <translation>Changer les &amp;axes de guidage</translation>
     </message>
     <message>
         <source>Move along the axes of the view, of the world or of the object</source>
@@ -2055,16 +2055,16 @@
         <translation>Montrer où votre ma&amp;in est utile</translation>
     </message>
     <message>
-        <source>Show where the trees come nearest, and how much too large the object is</source>
-        <translation>Montrer où les arbres sont le plus proches, et de combien l&apos;objet est trop gros</translation>
+        <source>Show where the trees come nearest, and how much more room the object needs</source>
+        <translation>Montrer où les arbres sont le plus proches, et combien de place il manque à l&apos;objet</translation>
     </message>
     <message>
-        <source>Ke&amp;ys of steering</source>
+        <source>Steering ke&amp;ys</source>
         <translation>&amp;Touches de guidage</translation>
     </message>
     <message>
-        <source>Write the keys of steering over the scene while a run goes on by hand</source>
-        <translation>Écrire les touches de guidage dans la vue pendant un calcul guidé à la main</translation>
+        <source>Show the steering keys over the scene during a run by hand</source>
+        <translation>Montrer les touches de guidage dans la vue pendant un calcul guidé à la main</translation>
     </message>
     <message>
         <source>Where your &amp;hand helps</source>
@@ -2139,36 +2139,36 @@
         <translation>Montrer l&apos;étape après celle qui est montrée</translation>
     </message>
     <message>
-        <source>Check the hand&apos;s access to the &amp;sequence</source>
-        <translation>Vérifier l&apos;accès d&apos;une main à la &amp;séquence</translation>
+        <source>Check hand access for the &amp;sequence</source>
+        <translation>Vérifier l&apos;accès de la main pour la &amp;séquence</translation>
     </message>
     <message>
-        <source>Check for each step whether hand, forearm and tool get there, and an eye sees</source>
-        <translation>Vérifier à chaque étape si la main, l&apos;avant-bras et l&apos;outil passent, et si l&apos;œil voit</translation>
+        <source>Check for each step whether hand, forearm and tool reach the work, and whether it is visible</source>
+        <translation>Vérifier à chaque étape si la main, l&apos;avant-bras et l&apos;outil accèdent au travail, et s&apos;il est visible</translation>
     </message>
     <message>
-        <source>Check the hand&apos;s access to the &amp;path</source>
-        <translation>Vérifier l&apos;accès d&apos;une main au &amp;chemin</translation>
+        <source>Check hand access along the &amp;path</source>
+        <translation>Vérifier l&apos;accès de la main le long du &amp;chemin</translation>
     </message>
     <message>
-        <source>Check whether a hand that holds the object stays free along the path</source>
-        <translation>Vérifier si une main qui tient l&apos;objet reste libre le long du chemin</translation>
+        <source>Check whether a hand that holds the object stays free of collision along the path</source>
+        <translation>Vérifier si une main qui tient l&apos;objet reste sans collision le long du chemin</translation>
     </message>
     <message>
-        <source>&amp;Next place that the hand does not reach</source>
-        <translation>Endroit inaccessible suiva&amp;nt</translation>
+        <source>&amp;Next step without hand access</source>
+        <translation>Étape s&amp;uivante sans accès de la main</translation>
     </message>
     <message>
-        <source>Show the next step that is not reached or not seen, where the hand is blocked</source>
-        <translation>Montrer la prochaine étape inaccessible ou invisible, là où la main est bloquée</translation>
+        <source>Show the next step that is not reachable or not visible, where the hand is blocked</source>
+        <translation>Montrer l&apos;étape suivante inaccessible ou invisible, là où la main est bloquée</translation>
     </message>
     <message>
-        <source>Show the &amp;hand at what moves</source>
-        <translation>Afficher la m&amp;ain sur ce qui bouge</translation>
+        <source>Show the &amp;hand on the moving part</source>
+        <translation>Afficher la m&amp;ain sur la pièce manipulée</translation>
     </message>
     <message>
-        <source>Draw hand, forearm and tool where they were found to hold what moves</source>
-        <translation>Dessiner la main, l&apos;avant-bras et l&apos;outil là où ils tiennent ce qui bouge</translation>
+        <source>Draw hand, forearm and tool where they can hold the moving part</source>
+        <translation>Dessiner la main, l&apos;avant-bras et l&apos;outil là où ils peuvent tenir la pièce manipulée</translation>
     </message>
     <message>
         <source>Hand of a small &amp;woman</source>
@@ -2221,6 +2221,218 @@
     <message>
         <source>Instruction</source>
         <translation>Instruction</translation>
+    </message>
+    <message>
+        <source>options settings</source>
+        <translation>options réglages paramètres</translation>
+    </message>
+    <message>
+        <source>undock dock floating panels windows</source>
+        <translation>détacher ancrer panneaux fenêtres</translation>
+    </message>
+    <message>
+        <source>move rotate drag transform</source>
+        <translation>déplacer tourner transformer</translation>
+    </message>
+    <message>
+        <source>mate constraint coincident concentric</source>
+        <translation>contrainte coïncidence coaxial</translation>
+    </message>
+    <message>
+        <source>bounding box limits</source>
+        <translation>boîte englobante limites</translation>
+    </message>
+    <message>
+        <source>interference detection clash check collision tolerance contacts</source>
+        <translation>interférence détection collision recouvrement contacts tolérance</translation>
+    </message>
+    <message>
+        <source>ignore interference allow</source>
+        <translation>ignorer interférence admettre</translation>
+    </message>
+    <message>
+        <source>fasteners screws bolts nuts connections mates</source>
+        <translation>fixations vis boulons écrous assemblages</translation>
+    </message>
+    <message>
+        <source>interference clash contact tolerance</source>
+        <translation>interférence collision contact tolérance</translation>
+    </message>
+    <message>
+        <source>fasteners screws bolts mates connections</source>
+        <translation>fixations vis boulons</translation>
+    </message>
+    <message>
+        <source>import STEP CAD mesh</source>
+        <translation>importer CAO maillage</translation>
+    </message>
+    <message>
+        <source>load import</source>
+        <translation>charger importer</translation>
+    </message>
+    <message>
+        <source>keyboard keys hotkeys</source>
+        <translation>clavier raccourci</translation>
+    </message>
+    <message>
+        <source>ruler dimension length</source>
+        <translation>règle cote longueur</translation>
+    </message>
+    <message>
+        <source>gap minimum distance</source>
+        <translation>écart distance minimale</translation>
+    </message>
+    <message>
+        <source>save path</source>
+        <translation>enregistrer le chemin</translation>
+    </message>
+    <message>
+        <source>animate simulate</source>
+        <translation>animer simuler</translation>
+    </message>
+    <message>
+        <source>shorten optimize</source>
+        <translation>raccourcir optimiser</translation>
+    </message>
+    <message>
+        <source>video animation movie record</source>
+        <translation>vidéo animation enregistrer</translation>
+    </message>
+    <message>
+        <source>envelope space reservation</source>
+        <translation>enveloppe encombrement</translation>
+    </message>
+    <message>
+        <source>import insert component</source>
+        <translation>importer insérer composant</translation>
+    </message>
+    <message>
+        <source>suppress leave out omit</source>
+        <translation>supprimer écarter omettre</translation>
+    </message>
+    <message>
+        <source>configurations alternatives duplicates</source>
+        <translation>configurations alternatives doublons</translation>
+    </message>
+    <message>
+        <source>unsuppress restore put back</source>
+        <translation>rétablir remettre réintégrer</translation>
+    </message>
+    <message>
+        <source>active component manipulate part to remove</source>
+        <translation>composant actif manipuler</translation>
+    </message>
+    <message>
+        <source>remove extract unmount out</source>
+        <translation>extraire déposer dehors</translation>
+    </message>
+    <message>
+        <source>blank invisible</source>
+        <translation>invisible cacher</translation>
+    </message>
+    <message>
+        <source>solo show only</source>
+        <translation>montrer seulement</translation>
+    </message>
+    <message>
+        <source>unhide</source>
+        <translation>afficher tout</translation>
+    </message>
+    <message>
+        <source>clear interference penetration separate</source>
+        <translation>dégager interférence pénétration écarter</translation>
+    </message>
+    <message>
+        <source>solve plan motion removal path extract simulate</source>
+        <translation>résoudre planifier mouvement démontage extraire</translation>
+    </message>
+    <message>
+        <source>resume continue</source>
+        <translation>reprendre continuer</translation>
+    </message>
+    <message>
+        <source>computer share authority</source>
+        <translation>part de l&apos;ordinateur autorité</translation>
+    </message>
+    <message>
+        <source>blocked bottleneck tight stuck</source>
+        <translation>bloqué goulet étroit coincé</translation>
+    </message>
+    <message>
+        <source>clip cut cross-section clipping plane</source>
+        <translation>couper plan de coupe</translation>
+    </message>
+    <message>
+        <source>disassemble disassembly assembly order dismantle</source>
+        <translation>démonter désassembler démontage ordre montage</translation>
+    </message>
+    <message>
+        <source>continue</source>
+        <translation>continuer poursuivre</translation>
+    </message>
+    <message>
+        <source>ground anchor fixed fixture</source>
+        <translation>ancrer bloquer fixe bâti</translation>
+    </message>
+    <message>
+        <source>import load</source>
+        <translation>importer charger</translation>
+    </message>
+    <message>
+        <source>CSV GLB JSON export</source>
+        <translation>exporter</translation>
+    </message>
+    <message>
+        <source>BOM bill of materials parts list manual documentation</source>
+        <translation>nomenclature liste des pièces gamme documentation</translation>
+    </message>
+    <message>
+        <source>BOM bill of materials parts list documentation</source>
+        <translation>nomenclature liste des pièces documentation</translation>
+    </message>
+    <message>
+        <source>order constraints predecessors</source>
+        <translation>ordre précédence antécédents</translation>
+    </message>
+    <message>
+        <source>cycle time takt line balancing duration critical path</source>
+        <translation>durée cadence cycle équilibrage chemin critique</translation>
+    </message>
+    <message>
+        <source>pin freeze</source>
+        <translation>figer geler</translation>
+    </message>
+    <message>
+        <source>forbid direction prohibit</source>
+        <translation>exclure empêcher direction</translation>
+    </message>
+    <message>
+        <source>precedence constraint before after</source>
+        <translation>antériorité précédence avant après</translation>
+    </message>
+    <message>
+        <source>manual drag</source>
+        <translation>manuel déplacer</translation>
+    </message>
+    <message>
+        <source>accept apply keep</source>
+        <translation>accepter appliquer garder</translation>
+    </message>
+    <message>
+        <source>ergonomics reach manikin human</source>
+        <translation>ergonomie atteinte mannequin</translation>
+    </message>
+    <message>
+        <source>explode exploded view BOM disassembly</source>
+        <translation>éclater vue éclatée nomenclature démontage</translation>
+    </message>
+    <message>
+        <source>zoom all extents</source>
+        <translation>zoomer tout</translation>
+    </message>
+    <message>
+        <source>transparent x-ray</source>
+        <translation>transparence rayons x</translation>
     </message>
 </context>
 <context>
@@ -2361,8 +2573,8 @@
         <translation>confirmée</translation>
     </message>
     <message>
-        <source>made by you</source>
-        <translation>créée par vous</translation>
+        <source>user-defined</source>
+        <translation>définie par l&apos;utilisateur</translation>
     </message>
     <message>
         <source>pressed out</source>
@@ -2618,8 +2830,8 @@
         <translation>&amp;Départ et but</translation>
     </message>
     <message>
-        <source>&amp;Chosen fit</source>
-        <translation>Ajuste&amp;ment choisi</translation>
+        <source>Se&amp;lected fit</source>
+        <translation>Ajuste&amp;ment sélectionné</translation>
     </message>
     <message>
         <source>S&amp;equence</source>
@@ -2650,8 +2862,8 @@
         <translation>Coup&amp;es</translation>
     </message>
     <message>
-        <source>Chosen j&amp;oint</source>
-        <translation>Liaiso&amp;n choisie</translation>
+        <source>Selected j&amp;oint</source>
+        <translation>Liaiso&amp;n sélectionnée</translation>
     </message>
     <message>
         <source>Ster&amp;eo</source>
@@ -2662,8 +2874,8 @@
         <translation>Casq&amp;ue</translation>
     </message>
     <message>
-        <source>Access of a &amp;hand</source>
-        <translation>Accès d&apos;une ma&amp;in</translation>
+        <source>&amp;Hand access</source>
+        <translation>Accès de la ma&amp;in</translation>
     </message>
     <message>
         <source>P&amp;laces</source>
@@ -2685,8 +2897,8 @@
 <context>
     <name>Messages</name>
     <message>
-        <source>&amp;Keep the earlier demand</source>
-        <translation>&amp;Garder l&apos;exigence précédente</translation>
+        <source>&amp;Keep the earlier constraint</source>
+        <translation>&amp;Garder la contrainte précédente</translation>
     </message>
     <message>
         <source>&amp;Remove it and take the new one</source>
@@ -2697,32 +2909,32 @@
         <translation>la main, l&apos;avant-bras et l&apos;outil ont été échantillonnés le long de chaque mouvement&#xa0;: cela ne prouve rien entre les échantillons, et le reste du corps n&apos;est pas considéré</translation>
     </message>
     <message>
-        <source>the hand gets there</source>
-        <translation>la main passe</translation>
+        <source>the hand reaches the work</source>
+        <translation>la main accède au travail</translation>
     </message>
     <message>
-        <source>the hand is blocked, %1 of the way from the place</source>
-        <translation>la main est bloquée, à %1 du trajet à partir de l&apos;endroit</translation>
+        <source>the hand is blocked at %1 of the motion</source>
+        <translation>la main est bloquée à %1 du mouvement</translation>
     </message>
     <message>
-        <source>the hand is blocked by &apos;%1&apos;, %2 of the way from the place</source>
-        <translation>la main est bloquée par «&#xa0;%1&#xa0;», à %2 du trajet à partir de l&apos;endroit</translation>
+        <source>the hand is blocked by &apos;%1&apos; at %2 of the motion</source>
+        <translation>la main est bloquée par «&#xa0;%1&#xa0;» à %2 du mouvement</translation>
     </message>
     <message>
-        <source>no place of it fits into one hand</source>
-        <translation>aucun endroit n&apos;en tient dans une main</translation>
+        <source>no grasp by one hand was found</source>
+        <translation>aucune prise d&apos;une main n&apos;a été trouvée</translation>
     </message>
     <message>
-        <source>not asked</source>
-        <translation>non demandé</translation>
+        <source>not checked</source>
+        <translation>non vérifié</translation>
     </message>
     <message>
-        <source>%1 of the place is seen</source>
-        <translation>%1 de l&apos;endroit sont visibles</translation>
+        <source>%1 of the work is visible</source>
+        <translation>%1 du travail est visible</translation>
     </message>
     <message>
-        <source>%1 of the place is seen, hidden by &apos;%2&apos;</source>
-        <translation>%1 de l&apos;endroit sont visibles, le reste est caché par «&#xa0;%2&#xa0;»</translation>
+        <source>%1 of the work is visible, hidden by &apos;%2&apos;</source>
+        <translation>%1 du travail est visible, le reste est caché par «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>%1 with the tool (%2)</source>
@@ -2733,8 +2945,8 @@
         <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
-        <source>%1 of %2 {2|step|steps} {1|is|are} reached and seen by the hand %3</source>
-        <translation>%1 {1|étape|étapes} sur %2 {1|est accessible et visible|sont accessibles et visibles} pour la main %3</translation>
+        <source>%1 of %2 {2|step|steps} {1|is|are} reachable and visible for the hand %3</source>
+        <translation>%1 {1|étape|étapes} sur %2 {1|accessible et visible|accessibles et visibles} pour la main %3</translation>
     </message>
     <message>
         <source>one of them is needed, and not both</source>
@@ -2753,8 +2965,8 @@
         <translation>Donnez trois nombres en mètres.</translation>
     </message>
     <message>
-        <source>%1 % judged</source>
-        <translation>%1&#xa0;% jugés</translation>
+        <source>%1 % checked</source>
+        <translation>%1 % vérifiés</translation>
     </message>
     <message>
         <source>is for assembly plans: a path is of a scenario</source>
@@ -2765,8 +2977,8 @@
         <translation>Retirez le corps du scénario.</translation>
     </message>
     <message>
-        <source>is for assembly plans: a path states no words of a person</source>
-        <translation>est réservée aux plans d&apos;assemblage&#xa0;: un chemin n&apos;énonce aucune parole d&apos;une personne</translation>
+        <source>is for assembly plans: a path states no decisions of the user</source>
+        <translation>est réservée aux plans d&apos;assemblage&#xa0;: un chemin n&apos;énonce aucune décision de l&apos;utilisateur</translation>
     </message>
     <message>
         <source>Leave it out.</source>
@@ -2865,7 +3077,7 @@
         <translation>%1 {1|paire|paires} de %2 corps</translation>
     </message>
     <message>
-        <source>taken thinner</source>
+        <source>allowance</source>
         <translation>amincissement</translation>
     </message>
     <message>
@@ -2913,8 +3125,8 @@
         <translation>espace         x %1 ... %2, y %3 ... %4, z %5 ... %6 m</translation>
     </message>
     <message>
-        <source>goal       out</source>
-        <translation>but            dehors</translation>
+        <source>goal       removed</source>
+        <translation>but            démonté</translation>
     </message>
     <message>
         <source>goal       a configuration</source>
@@ -3025,8 +3237,8 @@
         <translation>vis dans des corps sans trou dans le fichier, qui font chacune le leur&#xa0;: %1</translation>
     </message>
     <message>
-        <source>joints whose evidence contradicts itself, for a person to decide (?): %1</source>
-        <translation>liaisons dont les indices se contredisent, à trancher par une personne (?)&#xa0;: %1</translation>
+        <source>joints whose evidence contradicts itself, for the user to decide (?): %1</source>
+        <translation>liaisons dont les indices se contredisent, à trancher par l&apos;utilisateur (?)&#xa0;: %1</translation>
     </message>
     <message>
         <source>was interrupted</source>
@@ -3049,8 +3261,8 @@
         <translation>Dans les interférences acceptées, le corps qui est découpé lorsqu&apos;on ne sait pas lequel des deux a le trou</translation>
     </message>
     <message>
-        <source>Whether bodies that fit where they are assembled are taken thinner against each other: on or off (default: %1)</source>
-        <translation>Si les corps ajustés à leur place assemblée sont amincis l&apos;un face à l&apos;autre&#xa0;: on ou off (par défaut&#xa0;: %1)</translation>
+        <source>Whether bodies that fit where they are assembled have an allowance against each other: on or off (default: %1)</source>
+        <translation>Si les corps ajustés à leur place assemblée ont un amincissement l&apos;un face à l&apos;autre&#xa0;: on ou off (par défaut&#xa0;: %1)</translation>
     </message>
     <message>
         <source>Plan a motion and deliver it with its certificate</source>
@@ -3077,8 +3289,8 @@
         <translation>Opérateur&#xa0;: none, novice, default, expert, simulated-haptic, task-novice, task-expert, misleading ou replay:FICHIER</translation>
     </message>
     <message>
-        <source>A simulated operator shows the way of this path, not the scenario&apos;s way-points</source>
-        <translation>Un opérateur simulé montre le trajet de ce chemin, et non les points de passage du scénario</translation>
+        <source>A simulated operator follows this path, not the scenario&apos;s way-points</source>
+        <translation>Un opérateur simulé suit ce chemin, et non les points de passage du scénario</translation>
     </message>
     <message>
         <source>Shorten the path and keep it certified: --smoothing %1</source>
@@ -3105,20 +3317,20 @@
         <translation>Écrire un enregistrement du calcul, à rejouer</translation>
     </message>
     <message>
-        <source>Leave a body or an assembly of the product out: its name (can be repeated)</source>
-        <translation>Écarter un corps ou un assemblage du produit&#xa0;: son nom (peut être répété)</translation>
+        <source>Exclude a body or an assembly of the product: its name (can be repeated)</source>
+        <translation>Exclure un corps ou un assemblage du produit&#xa0;: son nom (peut être répété)</translation>
     </message>
     <message>
-        <source>Take a part of several solids as these: its name (can be repeated)</source>
-        <translation>Prendre une pièce de plusieurs solides comme ceux-ci&#xa0;: son nom (peut être répété)</translation>
+        <source>Split a part of several solids into these: its name (can be repeated)</source>
+        <translation>Diviser une pièce de plusieurs solides en ceux-ci&#xa0;: son nom (peut être répété)</translation>
     </message>
     <message>
         <source>Threads; they do not change the result (default: one for each core)</source>
         <translation>Fils d&apos;exécution&#xa0;; ils ne changent pas le résultat (par défaut&#xa0;: un par cœur)</translation>
     </message>
     <message>
-        <source>Judge a path or an assembly plan with the independent check</source>
-        <translation>Juger un chemin ou un plan d&apos;assemblage par la vérification indépendante</translation>
+        <source>Check a path or an assembly plan with the independent check</source>
+        <translation>Vérifier un chemin ou un plan d&apos;assemblage par la vérification indépendante</translation>
     </message>
     <message>
         <source>Scenario file or OMPL.app .cfg; of an assembly plan the product, as in sequence</source>
@@ -3129,12 +3341,12 @@
         <translation>Plan d&apos;assemblage, ou chemin&#xa0;: %1</translation>
     </message>
     <message>
-        <source>Clearance to prove [m] (default: the scenario&apos;s)</source>
-        <translation>Jeu à prouver [m] (par défaut&#xa0;: celui du scénario)</translation>
+        <source>Clearance to certify [m] (default: the scenario&apos;s)</source>
+        <translation>Jeu à certifier [m] (par défaut&#xa0;: celui du scénario)</translation>
     </message>
     <message>
-        <source>What the plan states itself counts as a person&apos;s word: bends, flexible bodies, units, accepted clashes, demands that are given up</source>
-        <translation>Ce que le plan énonce lui-même vaut comme la parole d&apos;une personne&#xa0;: flexions, corps souples, unités, interférences acceptées, exigences abandonnées</translation>
+        <source>What the plan states itself counts as the user&apos;s decision: bends, flexible bodies, units, accepted clashes, constraints that are given up</source>
+        <translation>Ce que le plan énonce lui-même vaut comme décision de l&apos;utilisateur&#xa0;: flexions, corps souples, unités, interférences acceptées, contraintes abandonnées</translation>
     </message>
     <message>
         <source>Time limit in seconds; 0: none</source>
@@ -3189,8 +3401,8 @@
         <translation>n&apos;est pas entre 1e-12 m et 1e9 m</translation>
     </message>
     <message>
-        <source>How far triangles may be off the surfaces of a STEP file, as 0.05mm (default: by the size of each part)</source>
-        <translation>Distance maximale des triangles aux surfaces d&apos;un fichier STEP, comme 0.05mm (par défaut&#xa0;: selon la taille de chaque pièce)</translation>
+        <source>Mesh tolerance: how far triangles may be off the surfaces of a STEP file, as 0.05mm (default: automatic, by the size of each part)</source>
+        <translation>Tolérance de maillage&#xa0;: écart maximal des triangles aux surfaces d&apos;un fichier STEP, comme 0.05mm (par défaut&#xa0;: automatique, selon la taille de chaque pièce)</translation>
     </message>
     <message>
         <source>List the contacts, fits and clashes of a product as it is assembled</source>
@@ -3221,12 +3433,12 @@
         <translation>Lister comment les corps d&apos;un produit sont liés&#xa0;: vis, écrous, inserts</translation>
     </message>
     <message>
-        <source>suggested: joints that are suggested count as if a person had confirmed them; recognised: they do not (default)</source>
-        <translation>suggested&#xa0;: les liaisons proposées comptent comme si une personne les avait confirmées&#xa0;; recognised&#xa0;: elles ne comptent pas (par défaut)</translation>
+        <source>suggested: joints that are suggested count as if the user had confirmed them; recognised: they do not (default)</source>
+        <translation>suggested&#xa0;: les liaisons proposées comptent comme si l&apos;utilisateur les avait confirmées&#xa0;; recognised&#xa0;: elles ne comptent pas (par défaut)</translation>
     </message>
     <message>
-        <source>Find in which order the parts of a product leave, with a certified motion each</source>
-        <translation>Trouver dans quel ordre sortent les pièces d&apos;un produit, chacune par un mouvement certifié</translation>
+        <source>Find in which order the parts of a product are removed, with a certified motion each</source>
+        <translation>Trouver dans quel ordre se démontent les pièces d&apos;un produit, chacune par un mouvement certifié</translation>
     </message>
     <message>
         <source>Scenario, STEP, IGES or BREP file, an assembly in one (product.step:pump), or URDF file</source>
@@ -3241,8 +3453,8 @@
         <translation>Secondes après lesquelles le plan obtenu jusque-là est écrit dans --out</translation>
     </message>
     <message>
-        <source>Go on from a plan that has not ended</source>
-        <translation>Continuer à partir d&apos;un plan qui n&apos;est pas terminé</translation>
+        <source>Resume a plan that has not ended</source>
+        <translation>Reprendre un plan qui n&apos;est pas terminé</translation>
     </message>
     <message>
         <source>How the order is searched: best-first or greedy (default: best-first, or the resumed plan&apos;s)</source>
@@ -3257,28 +3469,28 @@
         <translation>Limite de temps en secondes&#xa0;; le plan trouvé jusque-là est alors écrit&#xa0;; 0&#xa0;: aucune</translation>
     </message>
     <message>
-        <source>Bodies that are not to leave (default: the largest)</source>
-        <translation>Corps qui ne doivent pas sortir (par défaut&#xa0;: le plus grand)</translation>
+        <source>Bodies fixed as base: they are not removed (default: the largest)</source>
+        <translation>Corps fixés comme base&#xa0;: ils ne se démontent pas (par défaut&#xa0;: le plus grand)</translation>
     </message>
     <message>
-        <source>Bodies that leave as one: names with commas between them</source>
-        <translation>Corps qui sortent ensemble&#xa0;: des noms séparés par des virgules</translation>
+        <source>Bodies that are removed as one: names with commas between them</source>
+        <translation>Corps qui se démontent ensemble&#xa0;: des noms séparés par des virgules</translation>
     </message>
     <message>
-        <source>first,then: the first body leaves before the second</source>
-        <translation>premier,suivant&#xa0;: le premier corps sort avant le second</translation>
+        <source>first,then: the first body is removed before the second</source>
+        <translation>premier,suivant&#xa0;: le premier corps se démonte avant le second</translation>
     </message>
     <message>
-        <source>3,name: the body leaves as the third step; 3,name,name: as one</source>
-        <translation>3,nom&#xa0;: le corps sort à la troisième étape&#xa0;; 3,nom,nom&#xa0;: ensemble</translation>
+        <source>3,name: the body is removed in the third step; 3,name,name: as one</source>
+        <translation>3,nom&#xa0;: le corps se démonte à la troisième étape&#xa0;; 3,nom,nom&#xa0;: ensemble</translation>
     </message>
     <message>
-        <source>name,-z or name,0,0,-1: the body does not leave in this direction</source>
-        <translation>nom,-z ou nom,0,0,-1&#xa0;: le corps ne sort pas dans cette direction</translation>
+        <source>name,-z or name,0,0,-1: the body is not removed in this direction</source>
+        <translation>nom,-z ou nom,0,0,-1&#xa0;: le corps ne se démonte pas dans cette direction</translation>
     </message>
     <message>
-        <source>Joints that the plan keeps to: recognised, suggested (those too that a person would have to confirm) or off (default: the scenario&apos;s, or recognised)</source>
-        <translation>Liaisons que le plan respecte&#xa0;: recognised, suggested (aussi celles qu&apos;une personne devrait confirmer) ou off (par défaut&#xa0;: celles du scénario, ou recognised)</translation>
+        <source>Joints that the plan respects: recognised, suggested (those too that the user would have to confirm) or off (default: the scenario&apos;s, or recognised)</source>
+        <translation>Liaisons que le plan respecte&#xa0;: recognised, suggested (aussi celles que l&apos;utilisateur devrait confirmer) ou off (par défaut&#xa0;: celles du scénario, ou recognised)</translation>
     </message>
     <message>
         <source>Direction of gravity: x y z (default: the scenario&apos;s, or 0 0 -1)</source>
@@ -3293,8 +3505,8 @@
         <translation>on, ou comme dans le scénario</translation>
     </message>
     <message>
-        <source>How long the steps of an assembly plan take, also divided over a line</source>
-        <translation>Durée des étapes d&apos;un plan d&apos;assemblage, aussi réparties sur une ligne</translation>
+        <source>Assembly times: how long the steps of an assembly plan take, also balanced over a line</source>
+        <translation>Temps d&apos;assemblage&#xa0;: durée des étapes d&apos;un plan d&apos;assemblage, aussi équilibrées sur une ligne</translation>
     </message>
     <message>
         <source>The product of the plan: a scenario or a STEP file</source>
@@ -3305,8 +3517,8 @@
         <translation>Plan d&apos;assemblage, tel que «&#xa0;sequence --out&#xa0;» l&apos;écrit</translation>
     </message>
     <message>
-        <source>Divide the steps over so many stations, one person each</source>
-        <translation>Répartir les étapes sur ce nombre de postes, d&apos;une personne chacun</translation>
+        <source>Balance the steps over so many stations, one person each</source>
+        <translation>Équilibrer les étapes sur ce nombre de postes, une personne chacun</translation>
     </message>
     <message>
         <source>File of work times (default: the program&apos;s estimates)</source>
@@ -3317,12 +3529,12 @@
         <translation>Écrire le tableau des temps de travail dans un fichier, pour le modifier</translation>
     </message>
     <message>
-        <source>Whether a hand gets to a path or to the steps of an assembly plan, and an eye sees</source>
-        <translation>Si une main accède à un chemin ou aux étapes d&apos;un plan d&apos;assemblage, et si un œil les voit</translation>
+        <source>Hand access: whether a hand reaches a path or the steps of an assembly plan, and whether they are visible</source>
+        <translation>Accès de la main&#xa0;: si une main accède à un chemin ou aux étapes d&apos;un plan d&apos;assemblage, et si on les voit</translation>
     </message>
     <message>
         <source>Hand, forearm and tool are sampled along each motion; this is no proof. Measures: ANSUR II (NATICK/TR-15/007).
-Exit codes: 0 all is reached and seen, 1 not all, 2 wrong usage, 3 unreadable input, 130 interrupted.</source>
+Exit codes: 0 all is reachable and visible, 1 not all, 2 wrong usage, 3 unreadable input, 130 interrupted.</source>
         <translation>La main, l&apos;avant-bras et l&apos;outil sont échantillonnés le long de chaque mouvement&#xa0;; ce n&apos;est pas une preuve. Mesures&#xa0;: ANSUR II (NATICK/TR-15/007).
 Codes de retour&#xa0;: 0 tout est accessible et visible, 1 pas tout, 2 mauvais usage, 3 entrée illisible, 130 interrompu.</translation>
     </message>
@@ -3339,8 +3551,8 @@ Codes de retour&#xa0;: 0 tout est accessible et visible, 1 pas tout, 2 mauvais u
         <translation>Main de qui&#xa0;: p5f 5e centile des femmes, p50 moyenne, p95m 95e centile des hommes (par défaut&#xa0;: p50)</translation>
     </message>
     <message>
-        <source>From where the place is looked at: x y z in metres (default: 17 positions above it are tried)</source>
-        <translation>D&apos;où l&apos;endroit est regardé&#xa0;: x y z en mètres (par défaut&#xa0;: 17 positions au-dessus sont essayées)</translation>
+        <source>Viewpoint on the work: x y z in metres (default: 17 positions above it are tried)</source>
+        <translation>Point de vue sur le travail&#xa0;: x y z en mètres (par défaut&#xa0;: 17 positions au-dessus sont essayées)</translation>
     </message>
     <message>
         <source>Convert an OMPL.app .cfg to a scenario, or a path to another format</source>
@@ -3359,8 +3571,8 @@ Codes de retour&#xa0;: 0 tout est accessible et visible, 1 pas tout, 2 mauvais u
         <translation>Scénario du chemin, pour les formats qui contiennent ses jeux ou ses corps</translation>
     </message>
     <message>
-        <source>Make a scenario of part files (meshes, STEP, IGES, BREP, URDF), of which one moves</source>
-        <translation>Faire un scénario de fichiers de pièces (maillages, STEP, IGES, BREP, URDF), dont une se déplace</translation>
+        <source>Make a scenario of part files (meshes, STEP, IGES, BREP, URDF), with one moving part</source>
+        <translation>Faire un scénario de fichiers de pièces (maillages, STEP, IGES, BREP, URDF), avec une pièce manipulée</translation>
     </message>
     <message>
         <source>A part of a STEP file is named behind its file: --moves product.step:pin --static product.step makes a body
@@ -3379,12 +3591,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Fichier de scénario à écrire</translation>
     </message>
     <message>
-        <source>The part that moves (can be repeated: they move as one)</source>
-        <translation>La pièce qui se déplace (peut être répété&#xa0;: elles se déplacent ensemble)</translation>
+        <source>The moving part (can be repeated: they move as one)</source>
+        <translation>La pièce manipulée (peut être répété&#xa0;: elles se déplacent ensemble)</translation>
     </message>
     <message>
-        <source>Parts that stay where they are</source>
-        <translation>Pièces qui restent où elles sont</translation>
+        <source>Static parts: they do not move</source>
+        <translation>Pièces statiques&#xa0;: elles ne bougent pas</translation>
     </message>
     <message>
         <source>Parts in the way that a person could move</source>
@@ -3399,20 +3611,20 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>L&apos;axe des fichiers qui pointe vers le haut (par défaut&#xa0;: y pour Collada et glTF, z pour les autres maillages)</translation>
     </message>
     <message>
-        <source>How far the triangles of STEP parts may be off their surfaces, as 0.05mm (default: a thousandth of each part&apos;s diagonal, from 0.01mm to 0.5mm)</source>
-        <translation>Distance maximale des triangles des pièces STEP à leurs surfaces, comme 0.05mm (par défaut&#xa0;: un millième de la diagonale de chaque pièce, de 0.01mm à 0.5mm)</translation>
+        <source>Mesh tolerance: how far the triangles of STEP parts may be off their surfaces, as 0.05mm (default: a thousandth of each part&apos;s diagonal, from 0.01mm to 0.5mm)</source>
+        <translation>Tolérance de maillage&#xa0;: écart maximal des triangles des pièces STEP à leurs surfaces, comme 0.05mm (par défaut&#xa0;: un millième de la diagonale de chaque pièce, de 0.01mm à 0.5mm)</translation>
     </message>
     <message>
-        <source>Take each group of an OBJ file (o or g) as a part of its own</source>
-        <translation>Prendre chaque groupe d&apos;un fichier OBJ (o ou g) comme une pièce à part</translation>
+        <source>Split OBJ files: each group (o or g) is a part of its own</source>
+        <translation>Diviser les fichiers OBJ&#xa0;: chaque groupe (o ou g) est une pièce à part</translation>
     </message>
     <message>
         <source>Close the planar holes of meshes, and print how many</source>
         <translation>Fermer les trous plans des maillages, et afficher combien</translation>
     </message>
     <message>
-        <source>Move the start clear of the bodies that it touches, and print how far</source>
-        <translation>Dégager le départ des corps qu&apos;il touche, et afficher de combien</translation>
+        <source>Resolve collisions at the start: move it clear of the bodies that it touches, and print how far</source>
+        <translation>Résoudre les collisions au départ&#xa0;: l&apos;écarter des corps qu&apos;il touche, et afficher de combien</translation>
     </message>
     <message>
         <source>Repeat runs over scenarios, strategies, parameters and seeds</source>
@@ -3507,8 +3719,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>le départ</translation>
     </message>
     <message>
-        <source>names the part that moves</source>
-        <translation>désigne la pièce qui se déplace</translation>
+        <source>names the moving part</source>
+        <translation>désigne la pièce manipulée</translation>
     </message>
     <message>
         <source>Name another body.</source>
@@ -3707,8 +3919,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>amincissement&#xa0;: %1</translation>
     </message>
     <message>
-        <source>the certificate is about triangles, which are within +/- %1 of the CAD surfaces</source>
-        <translation>le certificat porte sur des triangles, à ± %1 des surfaces CAO</translation>
+        <source>CAD accuracy of the certificate: +/- %1</source>
+        <translation>précision CAO du certificat&#xa0;: +/- %1</translation>
     </message>
     <message>
         <source>coordinate spacing: mesh files hold 32-bit numbers or were closed at T-junctions, so that bodies may be %1 mm nearer</source>
@@ -3727,11 +3939,11 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>passage le plus étroit atteint&#xa0;: %1 mm par rapport à «&#xa0;%2&#xa0;», en %3</translation>
     </message>
     <message>
-        <source>with %1 mm given between the object and &apos;%2&apos;, at %3, there is a way of %4 configurations</source>
-        <translation>si l&apos;on accorde %1 mm entre l&apos;objet et «&#xa0;%2&#xa0;», en %3, il existe un chemin de %4 configurations</translation>
+        <source>with %1 mm more room between the object and &apos;%2&apos;, at %3, there is a path of %4 configurations</source>
+        <translation>avec %1 mm de place en plus entre l&apos;objet et «&#xa0;%2&#xa0;», en %3, il existe un chemin de %4 configurations</translation>
     </message>
     <message>
-        <source>no erosion of the object that was tried opens a way</source>
+        <source>no erosion of the object that was tried opens a path</source>
         <translation>aucun des amincissements essayés de l&apos;objet n&apos;ouvre de chemin</translation>
     </message>
     <message>
@@ -3843,12 +4055,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>recherche des mouvements de %1 {1|pièce|pièces}, effort %2</translation>
     </message>
     <message>
-        <source>%1 of %2 {2|part|parts}: %3 leaves (%4)</source>
-        <translation>%1 {1|pièce|pièces} sur %2&#xa0;: %3 sort (%4)</translation>
+        <source>%1 of %2 {2|part|parts}: %3 removed (%4)</source>
+        <translation>%1 {1|pièce|pièces} sur %2&#xa0;: %3 démontée (%4)</translation>
     </message>
     <message>
-        <source>%1 of %2 {2|part|parts}: %3 leave as one (%4)</source>
-        <translation>%1 {1|pièce|pièces} sur %2&#xa0;: %3 sortent ensemble (%4)</translation>
+        <source>%1 of %2 {2|part|parts}: %3 removed as one (%4)</source>
+        <translation>%1 {1|pièce|pièces} sur %2&#xa0;: %3 démontées ensemble (%4)</translation>
     </message>
     <message>
         <source>is not a number from 1, a comma and a name: %1</source>
@@ -3891,24 +4103,24 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Choisissez parmi&#xa0;: %1.</translation>
     </message>
     <message>
-        <source>are off, so that no part leaves that touches another one where it is assembled</source>
-        <translation>sont désactivés, si bien qu&apos;aucune pièce ne sort si elle en touche une autre à sa place assemblée</translation>
+        <source>are off, so that no part is removed that touches another one where it is assembled</source>
+        <translation>sont désactivés, si bien qu&apos;aucune pièce ne se démonte si elle en touche une autre à sa place assemblée</translation>
     </message>
     <message>
         <source>Run again with --fits on, or switch them on in the scenario.</source>
         <translation>Relancez avec --fits on, ou activez-les dans le scénario.</translation>
     </message>
     <message>
-        <source>has a strategy, a seed, staying bodies and a deflection of its own</source>
-        <translation>a sa propre stratégie, sa graine, ses corps qui restent et sa flèche</translation>
+        <source>has a strategy, a seed, a base and a mesh tolerance of its own</source>
+        <translation>a sa propre stratégie, sa graine, sa base et sa tolérance de maillage</translation>
     </message>
     <message>
         <source>Leave out --strategy, --seed, --stay and --deflection, or plan anew.</source>
         <translation>Omettez --strategy, --seed, --stay et --deflection, ou planifiez à nouveau.</translation>
     </message>
     <message>
-        <source>has demands of its own</source>
-        <translation>a ses propres exigences</translation>
+        <source>has constraints of its own</source>
+        <translation>a ses propres contraintes</translation>
     </message>
     <message>
         <source>Leave out --together, --before, --place, --forbid, --gravity, --joints and --cost, or plan anew.</source>
@@ -3931,8 +4143,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>forcée, bien que&#xa0;: %1</translation>
     </message>
     <message>
-        <source>to be held: %1</source>
-        <translation>à tenir&#xa0;: %1</translation>
+        <source>support: %1</source>
+        <translation>maintien&#xa0;: %1</translation>
     </message>
     <message>
         <source>stuck: %1</source>
@@ -3943,12 +4155,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>%1, bloqué par %2</translation>
     </message>
     <message>
-        <source>the group of step %1 is taken apart off %2:</source>
+        <source>the group of step %1 is disassembled off %2:</source>
         <translation>le groupe de l&apos;étape %1 se démonte à partir de %2&#xa0;:</translation>
     </message>
     <message>
-        <source>%1 of %2 {2|part|parts} {1|leaves|leave} in %3 {3|step|steps}</source>
-        <translation>%1 {1|pièce|pièces} sur %2 {1|sort|sortent} en %3 {3|étape|étapes}</translation>
+        <source>%1 of %2 {2|part|parts} removed in %3 {3|step|steps}</source>
+        <translation>%1 {1|pièce démontée|pièces démontées} sur %2 en %3 {3|étape|étapes}</translation>
     </message>
     <message>
         <source>%1, every motion certified</source>
@@ -3963,8 +4175,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>base&#xa0;: %1</translation>
     </message>
     <message>
-        <source>%1 of the parts that leave do so in groups that are not taken apart</source>
-        <translation>parmi les pièces qui sortent, %1 le font dans des groupes qui ne sont pas démontés</translation>
+        <source>%1 of the removed parts are in groups that are not disassembled</source>
+        <translation>parmi les pièces démontées, %1 le sont dans des groupes qui ne sont pas démontés</translation>
     </message>
     <message>
         <source>%1, computed in %2 s</source>
@@ -4071,8 +4283,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>  n° secondes prendre   poser tourner   outil   tenir  pièces</translation>
     </message>
     <message>
-        <source>%1 {1|station|stations}: a product every %2 s (no division is faster than %3 s), people work %4 % of the time</source>
-        <translation>%1 {1|poste|postes}&#xa0;: un produit toutes les %2 s (aucune répartition ne descend sous %3 s), les personnes travaillent %4 % du temps</translation>
+        <source>%1 {1|station|stations}: cycle time %2 s (minimum %3 s), utilization %4 %</source>
+        <translation>%1 {1|poste|postes}&#xa0;: temps de cycle %2 s (minimum %3 s), taux d&apos;occupation %4 %</translation>
     </message>
     <message>
         <source>  station %1: %2 s, steps %3</source>
@@ -4083,8 +4295,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>une personne&#xa0;: %1 s</translation>
     </message>
     <message>
-        <source>longest chain: %1 s, steps %2</source>
-        <translation>chaîne la plus longue&#xa0;: %1 s, étapes %2</translation>
+        <source>critical path: %1 s, steps %2</source>
+        <translation>chemin critique&#xa0;: %1 s, étapes %2</translation>
     </message>
     <message>
         <source>running the workbench</source>
@@ -4255,12 +4467,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>recherche des liaisons</translation>
     </message>
     <message>
-        <source>proving a kept path</source>
-        <translation>preuve d&apos;un chemin gardé</translation>
+        <source>certifying a kept path</source>
+        <translation>certification d&apos;un chemin conservé</translation>
     </message>
     <message>
-        <source>another object moves now</source>
-        <translation>l&apos;objet n&apos;est plus le même</translation>
+        <source>another body is the moving part now</source>
+        <translation>un autre corps est maintenant la pièce manipulée</translation>
     </message>
     <message>
         <source>Make &apos;%1&apos; the object first.</source>
@@ -4423,8 +4635,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Remettez l&apos;ancien scénario, ou refaites l&apos;étude.</translation>
     </message>
     <message>
-        <source>dividing the work</source>
-        <translation>répartition du travail</translation>
+        <source>balancing the line</source>
+        <translation>équilibrage de la ligne</translation>
     </message>
     <message>
         <source>looking for variants</source>
@@ -4591,7 +4803,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Choisissez un nom qui finit par .png ou .jpg.</translation>
     </message>
     <message>
-        <source>the access of the hand was not checked to its end</source>
+        <source>hand access was not checked to the end</source>
         <translation>la vérification de l&apos;accès de la main n&apos;est pas terminée</translation>
     </message>
     <message>
@@ -4611,8 +4823,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Nommez moins de corps.</translation>
     </message>
     <message>
-        <source>the proof is about the product without these shapes, which the file states: %1</source>
-        <translation>la preuve porte sur le produit sans ces formes, que le fichier énonce : %1</translation>
+        <source>the certificate is about the product without these shapes, which the file states: %1</source>
+        <translation>le certificat porte sur le produit sans ces formes, que le fichier énonce&#xa0;: %1</translation>
     </message>
     <message>
         <source>its input and output cannot be made</source>
@@ -4919,8 +5131,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>n&apos;est pas l&apos;une des valeurs&#xa0;: %1</translation>
     </message>
     <message>
-        <source>Authority</source>
-        <translation>Autorité</translation>
+        <source>Computer share</source>
+        <translation>Part de l&apos;ordinateur</translation>
     </message>
     <message>
         <source>The computer&apos;s share of the iterations: 1 is the automatic planner alone, 0 the operator alone.</source>
@@ -4931,7 +5143,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Échantillons de contact</translation>
     </message>
     <message>
-        <source>Samples shot on the tangent plane each time contact mode is entered.</source>
+        <source>Samples drawn on the tangent plane each time contact mode is entered.</source>
         <translation>Échantillons tirés sur le plan tangent à chaque entrée en mode contact.</translation>
     </message>
     <message>
@@ -4947,7 +5159,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Disque de contact</translation>
     </message>
     <message>
-        <source>Radius of the disc on the tangent plane in which contact samples are shot.</source>
+        <source>Radius of the disc on the tangent plane in which contact samples are drawn.</source>
         <translation>Rayon du disque du plan tangent dans lequel les échantillons de contact sont tirés.</translation>
     </message>
     <message>
@@ -4963,8 +5175,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Jeu exigé</translation>
     </message>
     <message>
-        <source>Clearance that a delivered path is proved to keep.</source>
-        <translation>Jeu dont il est prouvé que le chemin livré le garde.</translation>
+        <source>Clearance that a delivered path is certified to keep.</source>
+        <translation>Jeu que le chemin livré est certifié garder.</translation>
     </message>
     <message>
         <source>Growth step</source>
@@ -5243,8 +5455,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>le crochet de « %1 » dans « %2 » fléchit de %3</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is flexible, so that its motion needs no proof</source>
-        <translation>« %1 » est souple, si bien que son mouvement n&apos;a pas besoin de preuve</translation>
+        <source>&apos;%1&apos; is flexible, so that its motion needs no certificate</source>
+        <translation>«&#xa0;%1&#xa0;» est souple, si bien que son mouvement n&apos;a pas besoin de certificat</translation>
     </message>
     <message>
         <source>no joints are used</source>
@@ -5259,24 +5471,24 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>%1 forment une unité</translation>
     </message>
     <message>
-        <source>%1 stay as the base</source>
-        <translation>%1 restent comme base</translation>
+        <source>%1 are fixed as base</source>
+        <translation>%1 sont fixés comme base</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; may leave before &apos;%2&apos;, although the reverse is demanded</source>
-        <translation>« %1 » peut sortir avant « %2 », bien que l&apos;inverse soit exigé</translation>
+        <source>&apos;%1&apos; may be removed before &apos;%2&apos;, although a constraint states the reverse</source>
+        <translation>«&#xa0;%1&#xa0;» peut être démonté avant «&#xa0;%2&#xa0;», bien qu&apos;une contrainte énonce l&apos;inverse</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; may leave as number %2, although it is demanded as number %3</source>
-        <translation>« %1 » peut sortir en position %2, bien que la position %3 soit exigée</translation>
+        <source>&apos;%1&apos; may be removed as number %2, although a constraint states number %3</source>
+        <translation>«&#xa0;%1&#xa0;» peut être démonté en position %2, bien qu&apos;une contrainte énonce la position %3</translation>
     </message>
     <message>
         <source>the thread of &apos;%1&apos; in &apos;%2&apos; has a pitch of %3, which no standard thread of %4 has</source>
         <translation>le filetage de « %1 » dans « %2 » a un pas de %3, qu&apos;aucun filetage normalisé de %4 n&apos;a</translation>
     </message>
     <message>
-        <source>the thread of &apos;%1&apos; in &apos;%2&apos; has a pitch of %3, although a person says %4</source>
-        <translation>le filetage de « %1 » dans « %2 » a un pas de %3, bien qu&apos;une personne dise %4</translation>
+        <source>the thread of &apos;%1&apos; in &apos;%2&apos; has a pitch of %3, although the user states %4</source>
+        <translation>le filetage de «&#xa0;%1&#xa0;» dans «&#xa0;%2&#xa0;» a un pas de %3, bien que l&apos;utilisateur indique %4</translation>
     </message>
     <message>
         <source>the thread of &apos;%1&apos; in &apos;%2&apos; is left-handed</source>
@@ -5287,24 +5499,24 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>le filetage de « %1 » dans « %2 » est à droite, bien qu&apos;un nom dise à gauche</translation>
     </message>
     <message>
-        <source>they overlap by %1, which is a clash that nobody accepted</source>
-        <translation>ils se recouvrent de %1, ce qui est une interférence que personne n&apos;a acceptée</translation>
+        <source>they overlap by %1, a clash that is not accepted</source>
+        <translation>ils se recouvrent de %1, une interférence non acceptée</translation>
     </message>
     <message>
-        <source>a person uses no joints</source>
-        <translation>une personne n&apos;utilise aucune liaison</translation>
+        <source>the user uses no joints</source>
+        <translation>l&apos;utilisateur n&apos;utilise aucune liaison</translation>
     </message>
     <message>
-        <source>a person has dissolved their joint, or has it pressed out</source>
-        <translation>une personne a supprimé leur liaison, ou la fait chasser</translation>
+        <source>the user has dissolved their joint, or has it pressed out</source>
+        <translation>l&apos;utilisateur a supprimé leur liaison, ou la fait chasser</translation>
     </message>
     <message>
-        <source>a person calls the pair &apos;%1&apos;</source>
-        <translation>une personne dit que la paire est «&#xa0;%1&#xa0;»</translation>
+        <source>the user calls the pair &apos;%1&apos;</source>
+        <translation>l&apos;utilisateur dit que la paire est «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
-        <source>a person accepts their clash</source>
-        <translation>une personne accepte leur interférence</translation>
+        <source>the user accepts their clash</source>
+        <translation>l&apos;utilisateur accepte leur interférence</translation>
     </message>
     <message>
         <source>the edge turns by half a circle, and rounding decides which way; insert a configuration between its ends</source>
@@ -5315,8 +5527,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>l&apos;arrondi de coordonnées de cette grandeur n&apos;est pas petit devant le jeu exigé&#xa0;; rapprochez la scène de l&apos;origine, ou exigez plus de jeu</translation>
     </message>
     <message>
-        <source>the clearance is so close to the required one that %1 comparisons of triangles do not prove it; require less clearance, or divide the edge</source>
-        <translation>le jeu est si proche du jeu exigé que %1 comparaisons de triangles ne le prouvent pas&#xa0;; exigez moins de jeu, ou divisez le segment</translation>
+        <source>the clearance is so close to the required one that %1 comparisons of triangles do not certify it; require less clearance, or divide the edge</source>
+        <translation>le jeu est si proche du jeu exigé que %1 comparaisons de triangles ne le certifient pas&#xa0;; exigez moins de jeu, ou divisez le segment</translation>
     </message>
     <message>
         <source>the check was stopped</source>
@@ -5339,12 +5551,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>elle déplace «&#xa0;%1&#xa0;», qui n&apos;est pas un corps du produit</translation>
     </message>
     <message>
-        <source>it moves &apos;%1&apos;, which is said to stay</source>
-        <translation>elle déplace «&#xa0;%1&#xa0;», dont il est dit qu&apos;il reste</translation>
+        <source>it moves &apos;%1&apos;, which is fixed as base</source>
+        <translation>elle déplace «&#xa0;%1&#xa0;», qui est fixé comme base</translation>
     </message>
     <message>
-        <source>it moves &apos;%1&apos;, which has left before</source>
-        <translation>elle déplace «&#xa0;%1&#xa0;», qui est déjà sorti</translation>
+        <source>it moves &apos;%1&apos;, which was removed before</source>
+        <translation>elle déplace «&#xa0;%1&#xa0;», qui est déjà démonté</translation>
     </message>
     <message>
         <source>it moves &apos;%1&apos;, which is not in the group</source>
@@ -5363,8 +5575,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>ils sont à distance l&apos;un de l&apos;autre</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; and &apos;%2&apos;: the file&apos;s pitch is not the one that a person gives for the thread</source>
-        <translation>«&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;»&#xa0;: le pas du fichier n&apos;est pas celui qu&apos;une personne donne pour le filetage</translation>
+        <source>&apos;%1&apos; and &apos;%2&apos;: the file&apos;s pitch is not the one that the user gives for the thread</source>
+        <translation>«&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;»&#xa0;: le pas du fichier n&apos;est pas celui que l&apos;utilisateur donne pour le filetage</translation>
     </message>
     <message>
         <source>the scenario forbids places, and where they are is not known</source>
@@ -5399,20 +5611,20 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>le produit contient «&#xa0;%1&#xa0;», que le plan n&apos;énumère pas</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is said to stay and is none of the plan&apos;s bodies</source>
-        <translation>il est dit que «&#xa0;%1&#xa0;» reste, mais ce n&apos;est pas un corps du plan</translation>
+        <source>&apos;%1&apos; is fixed as base and is none of the plan&apos;s bodies</source>
+        <translation>«&#xa0;%1&#xa0;» est fixé comme base, mais ce n&apos;est pas un corps du plan</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is said to stay twice</source>
-        <translation>il est dit deux fois que «&#xa0;%1&#xa0;» reste</translation>
+        <source>&apos;%1&apos; is fixed as base twice</source>
+        <translation>«&#xa0;%1&#xa0;» est fixé deux fois comme base</translation>
     </message>
     <message>
         <source>the plan states &quot;%1&quot;: %2, and there are %3</source>
         <translation>le plan indique «&#xa0;%1&#xa0;»&#xa0;: %2, et il y en a %3</translation>
     </message>
     <message>
-        <source>a demand is about &apos;%1&apos;, which no body or assembly is called: it is not judged</source>
-        <translation>une exigence porte sur «&#xa0;%1&#xa0;», qui n&apos;est le nom d&apos;aucun corps ni assemblage&#xa0;: elle n&apos;est pas jugée</translation>
+        <source>a constraint is about &apos;%1&apos;, which is no body or assembly: it is not checked</source>
+        <translation>une contrainte porte sur «&#xa0;%1&#xa0;», qui n&apos;est ni un corps ni un assemblage&#xa0;: elle n&apos;est pas vérifiée</translation>
     </message>
     <message>
         <source>the plan states that it is not certified</source>
@@ -5423,32 +5635,32 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>le plan indique qu&apos;il est certifié, et une étape dit qu&apos;elle ne l&apos;est pas</translation>
     </message>
     <message>
-        <source>the plan is called complete, and all of its bodies stay: nothing is taken apart</source>
-        <translation>le plan est dit complet, et tous ses corps restent&#xa0;: rien n&apos;est démonté</translation>
+        <source>the plan is called complete, and all of its bodies are fixed as base: nothing is disassembled</source>
+        <translation>le plan est dit complet, et tous ses corps sont fixés comme base&#xa0;: rien n&apos;est démonté</translation>
     </message>
     <message>
         <source>the plan is called complete, and %1 of %2 {2|part|parts} {1|has|have} no step</source>
         <translation>le plan est dit complet, et %1 {1|pièce|pièces} sur %2 {1|n&apos;a|n&apos;ont} pas d&apos;étape</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; moves in a direction that is forbidden to it before it is clear of what it touched</source>
+        <source>&apos;%1&apos; moves in a direction that is ruled out for it before it is clear of what it touched</source>
         <translation>«&#xa0;%1&#xa0;» se déplace dans une direction qui lui est interdite avant d&apos;être dégagé de ce qu&apos;il touchait</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is demanded to leave before, and the step does not say that it does not</source>
-        <translation>«&#xa0;%1&#xa0;» doit sortir avant, et l&apos;étape ne signale pas le contraire</translation>
+        <source>a constraint states that &apos;%1&apos; is removed before, and the step does not state that this is given up</source>
+        <translation>une contrainte énonce que «&#xa0;%1&#xa0;» est démonté avant, et l&apos;étape ne signale pas qu&apos;elle l&apos;abandonne</translation>
     </message>
     <message>
-        <source>it is demanded to leave together with others, which stay behind</source>
-        <translation>il est exigé qu&apos;elle se fasse avec d&apos;autres corps, qui restent en arrière</translation>
+        <source>a constraint removes it together with others, which stay behind</source>
+        <translation>une contrainte le démonte avec d&apos;autres corps, qui restent en arrière</translation>
     </message>
     <message>
-        <source>it is demanded as number %1, and is number %2 of the removal</source>
-        <translation>elle est exigée en position %1, et elle est en position %2 du démontage</translation>
+        <source>a constraint states number %1, and it is number %2 of the removal</source>
+        <translation>une contrainte énonce la position %1, et elle est en position %2 du démontage</translation>
     </message>
     <message>
-        <source>another motion is demanded of it</source>
-        <translation>un autre mouvement lui est exigé</translation>
+        <source>a constraint states another motion for it</source>
+        <translation>une contrainte énonce un autre mouvement pour lui</translation>
     </message>
     <message>
         <source>%1, … (%2)</source>
@@ -5463,8 +5675,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>ses corps ne sont pas ceux de son étape</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is said to stay and is not in the group</source>
-        <translation>il est dit que «&#xa0;%1&#xa0;» reste, mais ce corps n&apos;est pas dans le groupe</translation>
+        <source>&apos;%1&apos; is fixed as base and is not in the group</source>
+        <translation>«&#xa0;%1&#xa0;» est fixé comme base, mais ce corps n&apos;est pas dans le groupe</translation>
     </message>
     <message>
         <source>its step has another line</source>
@@ -5591,23 +5803,23 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Vérifiez le scénario, puis enregistrez-le de nouveau ou supprimez la somme de contrôle.</translation>
     </message>
     <message>
-        <source>is judged with the usual deflection of its parts</source>
-        <translation>est jugé avec la flèche habituelle de ses pièces</translation>
+        <source>is checked with the automatic mesh tolerance of its parts</source>
+        <translation>est vérifié avec la tolérance de maillage automatique de ses pièces</translation>
     </message>
     <message>
         <source>The plan states a coarser one.</source>
         <translation>Le plan en indique une plus grossière.</translation>
     </message>
     <message>
-        <source>is left out</source>
-        <translation>est écarté</translation>
+        <source>is excluded</source>
+        <translation>est exclu</translation>
     </message>
     <message>
-        <source>Proofs are about the product without it.</source>
-        <translation>Les preuves portent sur le produit sans lui.</translation>
+        <source>Certificates are about the product without it.</source>
+        <translation>Les certificats portent sur le produit sans lui.</translation>
     </message>
     <message>
-        <source>holds one body: there is nothing to take apart</source>
+        <source>holds one body: there is nothing to disassemble</source>
         <translation>contient un seul corps&#xa0;: il n&apos;y a rien à démonter</translation>
     </message>
     <message>
@@ -5703,12 +5915,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>n&apos;est pas fait de deux noms</translation>
     </message>
     <message>
-        <source>it states &quot;%1&quot;: %2, and the judge finds %3</source>
-        <translation>elle indique «&#xa0;%1&#xa0;»&#xa0;: %2, et le juge trouve&#xa0;: %3</translation>
+        <source>it states &quot;%1&quot;: %2, and the independent check finds %3</source>
+        <translation>elle indique «&#xa0;%1&#xa0;»&#xa0;: %2, et la vérification indépendante trouve&#xa0;: %3</translation>
     </message>
     <message>
-        <source>it states &quot;%1&quot;: %2 of %3, and the judge finds %4</source>
-        <translation>elle indique «&#xa0;%1&#xa0;»&#xa0;: %2 pour %3, et le juge trouve&#xa0;: %4</translation>
+        <source>it states &quot;%1&quot;: %2 of %3, and the independent check finds %4</source>
+        <translation>elle indique «&#xa0;%1&#xa0;»&#xa0;: %2 pour %3, et la vérification indépendante trouve&#xa0;: %4</translation>
     </message>
     <message>
         <source>at most %1</source>
@@ -5727,8 +5939,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>au moins %1</translation>
     </message>
     <message>
-        <source>at least the proved %1</source>
-        <translation>au moins la valeur prouvée, %1</translation>
+        <source>at least the certified %1</source>
+        <translation>au moins la valeur certifiée, %1</translation>
     </message>
     <message>
         <source>the joint of &apos;%1&apos;</source>
@@ -5743,8 +5955,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>des corps de %1</translation>
     </message>
     <message>
-        <source>no word about a bend</source>
-        <translation>aucune parole sur une flexion</translation>
+        <source>no statement about a bend</source>
+        <translation>aucune indication de flexion</translation>
     </message>
     <message>
         <source>a body of %1</source>
@@ -5771,8 +5983,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>«&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;»&#xa0;: le filetage est modélisé avec un pas de %3, et le mouvement a un pas de %4</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is pulled off &apos;%2&apos; without a turn: %3</source>
-        <translation>«&#xa0;%1&#xa0;» est tiré hors de «&#xa0;%2&#xa0;» sans rotation&#xa0;: %3</translation>
+        <source>&apos;%1&apos; is pulled off &apos;%2&apos; without being unscrewed: %3</source>
+        <translation>«&#xa0;%1&#xa0;» est tiré hors de «&#xa0;%2&#xa0;» sans être dévissé&#xa0;: %3</translation>
     </message>
     <message>
         <source>their meshes state no cylinders</source>
@@ -5783,20 +5995,20 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>selon le plan, %1</translation>
     </message>
     <message>
-        <source>they leave together</source>
-        <translation>ils sortent ensemble</translation>
+        <source>they are removed together</source>
+        <translation>ils sont démontés ensemble</translation>
     </message>
     <message>
-        <source>the other one has left before</source>
-        <translation>l&apos;autre est déjà sorti</translation>
+        <source>the other one was removed before</source>
+        <translation>l&apos;autre est déjà démonté</translation>
     </message>
     <message>
         <source>a thread is taken away of one body of a pair, and nothing else</source>
         <translation>un filetage est retiré d&apos;un seul corps de la paire, et rien d&apos;autre</translation>
     </message>
     <message>
-        <source>a person says that the pair is no thread</source>
-        <translation>une personne dit que la paire n&apos;est pas un filetage</translation>
+        <source>the user states that the pair is no thread</source>
+        <translation>l&apos;utilisateur indique que la paire n&apos;est pas un filetage</translation>
     </message>
     <message>
         <source>the hole is not as narrow as the file states</source>
@@ -5811,20 +6023,20 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>c&apos;est «&#xa0;%1&#xa0;» qui est découpé</translation>
     </message>
     <message>
-        <source>which of the two is cut is not clear, and no person names it</source>
-        <translation>on ne sait pas lequel des deux est découpé, et personne ne le nomme</translation>
+        <source>which of the two is cut is not clear, and the user does not name it</source>
+        <translation>on ne sait pas lequel des deux est découpé, et l&apos;utilisateur ne le nomme pas</translation>
     </message>
     <message>
         <source>what would be left of it is not one piece as before</source>
         <translation>ce qui en resterait n&apos;est pas d&apos;un seul tenant comme avant</translation>
     </message>
     <message>
-        <source>what overlaps is taken away of one body of a pair, and the other one is taken thinner</source>
-        <translation>ce qui se recouvre est retiré d&apos;un corps de la paire, et l&apos;autre est aminci</translation>
+        <source>what overlaps is taken away of one body of a pair, and the other one has the allowance</source>
+        <translation>ce qui se recouvre est retiré d&apos;un corps de la paire, et l&apos;autre a l&apos;amincissement</translation>
     </message>
     <message>
-        <source>a person says that the pair is a thread</source>
-        <translation>une personne dit que la paire est un filetage</translation>
+        <source>the user states that the pair is a thread</source>
+        <translation>l&apos;utilisateur indique que la paire est un filetage</translation>
     </message>
     <message>
         <source>no overlap with the other one can be taken away of it</source>
@@ -5839,8 +6051,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Planifiez de nouveau.</translation>
     </message>
     <message>
-        <source>a person calls the pair a thread, but no shaft of the one is on the axis of a hole of the other</source>
-        <translation>une personne dit que la paire est un filetage, mais aucun arbre de l&apos;un n&apos;est sur l&apos;axe d&apos;un trou de l&apos;autre</translation>
+        <source>the user calls the pair a thread, but no shaft of the one is on the axis of a hole of the other</source>
+        <translation>l&apos;utilisateur dit que la paire est un filetage, mais aucun arbre de l&apos;un n&apos;est sur l&apos;axe d&apos;un trou de l&apos;autre</translation>
     </message>
     <message>
         <source>Give the pair another kind.</source>
@@ -5879,12 +6091,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>certifié&#xa0;: %1 (exigé&#xa0;: %2 mm, %3 {3|segment|segments} sur %4 {3|glisse|glissent})</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; and &apos;%2&apos; are a thread, which comes apart by turning only</source>
-        <translation>«&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» forment un filetage, qui ne se sépare que par dévissage</translation>
+        <source>&apos;%1&apos; and &apos;%2&apos; are a thread, which can only be unscrewed</source>
+        <translation>«&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» forment un filetage, qui ne peut qu&apos;être dévissé</translation>
     </message>
     <message>
-        <source>%1: &apos;%2&apos; is turned, and has to leave first</source>
-        <translation>%1&#xa0;: c&apos;est «&#xa0;%2&#xa0;» que l&apos;on tourne et qui doit sortir d&apos;abord</translation>
+        <source>%1: &apos;%2&apos; is unscrewed, and has to be removed first</source>
+        <translation>%1&#xa0;: c&apos;est «&#xa0;%2&#xa0;» que l&apos;on dévisse et qui doit être démonté d&apos;abord</translation>
     </message>
     <message>
         <source>%1: each turn about its axis advances by %2</source>
@@ -5919,8 +6131,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>%1 {1|configuration|configurations}, %2</translation>
     </message>
     <message>
-        <source>edge %1 meets the place &apos;%2&apos;, which a person forbids, or its margin of %3</source>
-        <translation>le segment %1 rencontre le lieu «&#xa0;%2&#xa0;», qu&apos;une personne interdit, ou sa marge de %3</translation>
+        <source>edge %1 meets the forbidden place &apos;%2&apos;, or its margin of %3</source>
+        <translation>le segment %1 rencontre le lieu interdit «&#xa0;%2&#xa0;», ou sa marge de %3</translation>
     </message>
     <message>
         <source>forbidden places: the path keeps %1 from %2</source>
@@ -5979,8 +6191,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>étape %1 (%2)&#xa0;: seulement si %3</translation>
     </message>
     <message>
-        <source>step %1 (%2): nothing is proved of its motion, it is flexible</source>
-        <translation>étape %1 (%2)&#xa0;: rien n&apos;est prouvé de son mouvement, le corps est souple</translation>
+        <source>step %1 (%2): its motion has no certificate, it is flexible</source>
+        <translation>étape %1 (%2)&#xa0;: son mouvement n&apos;a pas de certificat, le corps est souple</translation>
     </message>
     <message>
         <source>step %1 (%2) is invalid: %3;</source>
@@ -5991,8 +6203,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>l&apos;étape %1 (%2) est indécise&#xa0;: %3&#xa0;;</translation>
     </message>
     <message>
-        <source>%1 of %2 {2|part|parts} {1|has|have} no step, %3 {3|leaves|leave} alone, %4 as units, %5 in groups that are not taken apart</source>
-        <translation>%1 {1|pièce|pièces} sur %2 {1|n&apos;a|n&apos;ont} pas d&apos;étape, %3 {3|sort seule|sortent seules}, %4 en unités, %5 dans des groupes qui ne sont pas démontés</translation>
+        <source>%1 of %2 {2|part|parts} {1|has|have} no step, %3 {3|is|are} removed alone, %4 as units, %5 in groups that are not disassembled</source>
+        <translation>%1 {1|pièce|pièces} sur %2 {1|n&apos;a|n&apos;ont} pas d&apos;étape, %3 {3|est démontée seule|sont démontées seules}, %4 en unités, %5 dans des groupes qui ne sont pas démontés</translation>
     </message>
     <message>
         <source>%1 of %2 {2|step|steps} {1|is|are} certified, %3</source>
@@ -6019,56 +6231,56 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>condition&#xa0;: %1</translation>
     </message>
     <message>
-        <source>Nobody but the plan says so. State the conditions in the scenario, or trust the plan (--trust-plan).</source>
-        <translation>Le plan est seul à le dire. Indiquez les conditions dans le scénario, ou faites confiance au plan (--trust-plan).</translation>
+        <source>Only the plan states this. State the conditions in the scenario, or trust the plan (--trust-plan).</source>
+        <translation>Seul le plan l&apos;indique. Énoncez les conditions dans le scénario, ou faites confiance au plan (--trust-plan).</translation>
     </message>
     <message>
         <source>refused: the line of step %1: %2</source>
         <translation>refusé&#xa0;: la ligne de l&apos;étape %1&#xa0;: %2</translation>
     </message>
     <message>
-        <source>%1 {1|step of a flexible body has|steps of flexible bodies have} no proof</source>
-        <translation>%1 {1|étape d&apos;un corps souple n&apos;a|étapes de corps souples n&apos;ont} pas de preuve</translation>
+        <source>%1 {1|step of a flexible body has|steps of flexible bodies have} no certificate</source>
+        <translation>%1 {1|étape d&apos;un corps souple n&apos;a|étapes de corps souples n&apos;ont} pas de certificat</translation>
     </message>
     <message>
-        <source>the certificates are about triangles, which are within +/- %1 of the CAD surfaces</source>
-        <translation>les certificats portent sur des triangles, à ± %1 des surfaces CAO</translation>
+        <source>CAD accuracy of the certificates: +/- %1</source>
+        <translation>précision CAO des certificats&#xa0;: +/- %1</translation>
     </message>
     <message>
         <source>&apos;%1&apos; and &apos;%2&apos;</source>
         <translation>«&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
-        <source>a person allows %1</source>
-        <translation>une personne admet %1</translation>
+        <source>the user allows %1</source>
+        <translation>l&apos;utilisateur admet %1</translation>
     </message>
     <message>
         <source>nothing</source>
         <translation>rien</translation>
     </message>
     <message>
-        <source>overlap %1, deflection %2, spacing %3, gap %4, as a person says of the pair %5</source>
-        <translation>recouvrement %1, flèche %2, espacement %3, écart %4, et %5 d&apos;après une personne pour cette paire</translation>
+        <source>overlap %1, mesh tolerance %2, spacing %3, gap %4, user-defined for the pair %5</source>
+        <translation>recouvrement %1, tolérance de maillage %2, espacement %3, écart %4, défini par l&apos;utilisateur pour la paire %5</translation>
     </message>
     <message>
-        <source>overlap %1, deflection %2, spacing %3, gap %4</source>
-        <translation>recouvrement %1, flèche %2, espacement %3, écart %4</translation>
+        <source>overlap %1, mesh tolerance %2, spacing %3, gap %4</source>
+        <translation>recouvrement %1, tolérance de maillage %2, espacement %3, écart %4</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is taken without what its screw &apos;%2&apos; fills: the file has no hole there</source>
-        <translation>«&#xa0;%1&#xa0;» est pris sans ce que sa vis «&#xa0;%2&#xa0;» remplit&#xa0;: le fichier n&apos;a pas de trou à cet endroit</translation>
+        <source>&apos;%1&apos; without what its screw &apos;%2&apos; fills: the file has no hole there</source>
+        <translation>«&#xa0;%1&#xa0;» sans ce que sa vis «&#xa0;%2&#xa0;» remplit&#xa0;: le fichier n&apos;a pas de trou à cet endroit</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is taken without what overlaps &apos;%2&apos;, up to %3 deep: a clash that a person accepts</source>
-        <translation>«&#xa0;%1&#xa0;» est pris sans ce qui recouvre «&#xa0;%2&#xa0;», jusqu&apos;à %3 de profondeur&#xa0;: c&apos;est une interférence qu&apos;une personne accepte</translation>
+        <source>&apos;%1&apos; without what overlaps &apos;%2&apos;, up to %3 deep: a clash that the user accepts</source>
+        <translation>«&#xa0;%1&#xa0;» sans ce qui recouvre «&#xa0;%2&#xa0;», jusqu&apos;à %3 de profondeur&#xa0;: une interférence que l&apos;utilisateur accepte</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is taken %2 thinner against &apos;%3&apos; (%4)</source>
-        <translation>«&#xa0;%1&#xa0;» est aminci de %2 face à «&#xa0;%3&#xa0;» (%4)</translation>
+        <source>&apos;%1&apos;, %2 on &apos;%3&apos; (%4)</source>
+        <translation>«&#xa0;%1&#xa0;», %2 face à «&#xa0;%3&#xa0;» (%4)</translation>
     </message>
     <message>
-        <source>%1, at the hook that a person lets bend by %2</source>
-        <translation>%1, au crochet qu&apos;une personne laisse fléchir de %2</translation>
+        <source>%1, at the hook, which the user lets bend by %2</source>
+        <translation>%1, au crochet, que l&apos;utilisateur laisse fléchir de %2</translation>
     </message>
     <message>
         <source>%1, where its thread is taken away</source>
@@ -6079,28 +6291,28 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>%1, un filetage au pas de %2</translation>
     </message>
     <message>
-        <source>the file takes &apos;%1&apos; without what overlaps &apos;%2&apos;, up to %3 deep</source>
-        <translation>le fichier prend «&#xa0;%1&#xa0;» sans ce qui recouvre «&#xa0;%2&#xa0;», jusqu&apos;à %3 de profondeur</translation>
+        <source>the file states &apos;%1&apos; without what overlaps &apos;%2&apos;, up to %3 deep</source>
+        <translation>le fichier indique «&#xa0;%1&#xa0;» sans ce qui recouvre «&#xa0;%2&#xa0;», jusqu&apos;à %3 de profondeur</translation>
     </message>
     <message>
-        <source>the file takes &apos;%1&apos; %2 thinner against &apos;%3&apos;</source>
-        <translation>le fichier amincit «&#xa0;%1&#xa0;» de %2 face à «&#xa0;%3&#xa0;»</translation>
+        <source>the file states an allowance of %2 of &apos;%1&apos; on &apos;%3&apos;</source>
+        <translation>le fichier indique un amincissement de %2 de «&#xa0;%1&#xa0;» face à «&#xa0;%3&#xa0;»</translation>
     </message>
     <message>
         <source>%1: %2. Mend the parts, or accept the clash.</source>
         <translation>%1&#xa0;: %2. Corrigez les pièces, ou acceptez l&apos;interférence.</translation>
     </message>
     <message>
-        <source>%1, and the judge finds reason for nothing</source>
-        <translation>%1, et le juge n&apos;en justifie rien</translation>
+        <source>%1, and the independent check finds reason for nothing</source>
+        <translation>%1, et la vérification indépendante n&apos;en justifie rien</translation>
     </message>
     <message>
-        <source>%1, and the judge finds reason for %2 only (%3)</source>
-        <translation>%1, et le juge n&apos;en justifie que %2 (%3)</translation>
+        <source>%1, and the independent check finds reason for %2 only (%3)</source>
+        <translation>%1, et la vérification indépendante n&apos;en justifie que %2 (%3)</translation>
     </message>
     <message>
-        <source>%1. Plan again, or let a person allow it for this pair.</source>
-        <translation>%1. Planifiez de nouveau, ou faites-le admettre par une personne pour cette paire.</translation>
+        <source>%1. Plan again, or allow it for this pair.</source>
+        <translation>%1. Planifiez de nouveau, ou admettez-le pour cette paire.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is neither true nor false</source>
@@ -6203,8 +6415,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Préférence</translation>
     </message>
     <message>
-        <source>Ways through the place count this many times shorter.</source>
-        <translation>Les trajets par le lieu comptent pour autant de fois plus courts.</translation>
+        <source>Paths through the place count this many times shorter.</source>
+        <translation>Les chemins par le lieu comptent pour autant de fois plus courts.</translation>
     </message>
     <message>
         <source>What the body is shaped like.</source>
@@ -6231,40 +6443,40 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Fragile</translation>
     </message>
     <message>
-        <source>The body leaves as early as it can, and is put in as late as it can.</source>
-        <translation>Le corps sort aussi tôt que possible, et il est monté aussi tard que possible.</translation>
+        <source>The body is removed as early as possible, and is assembled as late as possible.</source>
+        <translation>Le corps est démonté aussi tôt que possible, et il est monté aussi tard que possible.</translation>
     </message>
     <message>
         <source>Base</source>
         <translation>Base</translation>
     </message>
     <message>
-        <source>The assembly begins with the body: it does not leave.</source>
-        <translation>L&apos;assemblage commence par ce corps&#xa0;: il ne sort pas.</translation>
+        <source>The assembly begins with the body: it is not removed.</source>
+        <translation>L&apos;assemblage commence par ce corps&#xa0;: il n&apos;est pas démonté.</translation>
     </message>
     <message>
-        <source>Stays</source>
-        <translation>Reste en place</translation>
+        <source>Fixed as base</source>
+        <translation>Fixé comme base</translation>
     </message>
     <message>
-        <source>The body does not leave.</source>
-        <translation>Le corps ne sort pas.</translation>
+        <source>The body is not removed.</source>
+        <translation>Le corps n&apos;est pas démonté.</translation>
     </message>
     <message>
-        <source>Goes with</source>
-        <translation>Sort avec</translation>
+        <source>Removed with</source>
+        <translation>Démonté avec</translation>
     </message>
     <message>
-        <source>Bodies that leave together with this one, with commas.</source>
-        <translation>Corps qui sortent avec celui-ci, séparés par des virgules.</translation>
+        <source>Bodies that are removed together with this one, with commas.</source>
+        <translation>Corps démontés avec celui-ci, séparés par des virgules.</translation>
     </message>
     <message>
-        <source>Goes before</source>
-        <translation>Sort avant</translation>
+        <source>Removed before</source>
+        <translation>Démonté avant</translation>
     </message>
     <message>
-        <source>Bodies that leave after this one, with commas.</source>
-        <translation>Corps qui sortent après celui-ci, séparés par des virgules.</translation>
+        <source>Bodies that are removed after this one, with commas.</source>
+        <translation>Corps démontés après celui-ci, séparés par des virgules.</translation>
     </message>
     <message>
         <source>the attribute name &apos;%1&apos; is not a word</source>
@@ -6919,16 +7131,16 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Omettez «&#xa0;unit&#xa0;» et «&#xa0;up_axis&#xa0;».</translation>
     </message>
     <message>
-        <source>is not closed: faces or boundaries that could not be made: %1; proofs take what is missing as free space</source>
-        <translation>n&apos;est pas fermé&#xa0;: %1 faces ou contours n&apos;ont pas pu être construits&#xa0;; les preuves prennent ce qui manque pour de l&apos;espace libre</translation>
+        <source>is not closed: faces or boundaries that could not be made: %1; certificates take what is missing as free space</source>
+        <translation>n&apos;est pas fermé&#xa0;: %1 faces ou contours n&apos;ont pas pu être construits&#xa0;; les certificats prennent ce qui manque pour de l&apos;espace libre</translation>
     </message>
     <message>
         <source>Do not trust paths near it; export it again, or as a mesh.</source>
         <translation>Ne vous fiez pas aux chemins qui passent près d&apos;elle&#xa0;; exportez-la de nouveau, ou en maillage.</translation>
     </message>
     <message>
-        <source>the scenario neither names it nor leaves it out</source>
-        <translation>le scénario ne la nomme pas et ne l&apos;écarte pas</translation>
+        <source>the scenario neither names it nor excludes it</source>
+        <translation>le scénario ne la nomme pas et ne l&apos;exclut pas</translation>
     </message>
     <message>
         <source>it is not sound IGES text</source>
@@ -7107,16 +7319,16 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>L&apos;écart compte dans chaque certificat&#xa0;; exportez la pièce en maillage s&apos;il est trop grand.</translation>
     </message>
     <message>
-        <source>It is an obstacle that can be inside of others. Export it as a solid, or leave it out (--without).</source>
-        <translation>C&apos;est un obstacle qui peut se trouver à l&apos;intérieur d&apos;autres. Exportez-le comme solide, ou écartez-le (--without).</translation>
+        <source>It is an obstacle that can be inside of others. Export it as a solid, or exclude it (--without).</source>
+        <translation>C&apos;est un obstacle qui peut se trouver à l&apos;intérieur d&apos;autres. Exportez-le comme solide, ou excluez-le (--without).</translation>
     </message>
     <message>
         <source>Give them faces if they are parts.</source>
         <translation>Donnez-leur des faces si ce sont des pièces.</translation>
     </message>
     <message>
-        <source>Leave it out if it is no part (--without).</source>
-        <translation>Écartez-le si ce n&apos;est pas une pièce (--without).</translation>
+        <source>Exclude it if it is no part (--without).</source>
+        <translation>Excluez-le si ce n&apos;est pas une pièce (--without).</translation>
     </message>
     <message>
         <source>Export solids and triangles as two products if they are two parts.</source>
@@ -7127,8 +7339,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Si c&apos;est faux, exportez-le avec des noms en UTF-8, ou nommez ses pièces par leurs numéros (#2).</translation>
     </message>
     <message>
-        <source>%1: the part is not closed there; proofs take what is missing as free space</source>
-        <translation>%1&#xa0;: la pièce n&apos;y est pas fermée&#xa0;; les preuves prennent ce qui manque pour de l&apos;espace libre</translation>
+        <source>%1: the part is not closed there; certificates take what is missing as free space</source>
+        <translation>%1&#xa0;: la pièce n&apos;y est pas fermée&#xa0;; les certificats prennent ce qui manque pour de l&apos;espace libre</translation>
     </message>
     <message>
         <source>has a part that is at no place in space</source>
@@ -7207,8 +7419,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>pièce «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
-        <source>nothing is known of where %1 is, and proofs are about the product without it: %2</source>
-        <translation>on ne sait pas où est %1, et les preuves portent sur le produit sans lui&#xa0;: %2</translation>
+        <source>nothing is known of where %1 is, and certificates are about the product without it: %2</source>
+        <translation>on ne sait pas où est %1, et les certificats portent sur le produit sans lui&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1 more {1|file of its parts is|files of its parts are} missing</source>
@@ -7219,8 +7431,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>pièce %1</translation>
     </message>
     <message>
-        <source>is missing, and proofs take it as free space: its file &apos;%1&apos; %2 (looked for in &apos;%3&apos;)</source>
-        <translation>manque, et les preuves la prennent pour de l&apos;espace libre&#xa0;: son fichier «&#xa0;%1&#xa0;» %2 (cherché dans «&#xa0;%3&#xa0;»)</translation>
+        <source>is missing, and certificates take it as free space: its file &apos;%1&apos; %2 (looked for in &apos;%3&apos;)</source>
+        <translation>manque, et les certificats la prennent pour de l&apos;espace libre&#xa0;: son fichier «&#xa0;%1&#xa0;» %2 (cherché dans «&#xa0;%3&#xa0;»)</translation>
     </message>
     <message>
         <source>has its parts in other files, and none of them is there: %1 (looked for in &apos;%2&apos;)</source>
@@ -7879,8 +8091,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Tire l&apos;objet le long des points de passage et perçoit les obstacles.</translation>
     </message>
     <message>
-        <source>Shows a way at the level of a task.</source>
-        <translation>Montre un trajet au niveau de la tâche.</translation>
+        <source>Shows a path at the level of a task.</source>
+        <translation>Montre un chemin au niveau de la tâche.</translation>
     </message>
     <message>
         <source>reading the gamepad</source>
@@ -8067,16 +8279,16 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>dans le lieu %1</translation>
     </message>
     <message>
-        <source>the direct way to the goal is blocked</source>
-        <translation>le trajet direct vers le but est bloqué</translation>
+        <source>the direct path to the goal is blocked</source>
+        <translation>le chemin direct vers le but est bloqué</translation>
     </message>
     <message>
-        <source>the direct way to the goal is not free</source>
-        <translation>le trajet direct vers le but n&apos;est pas libre</translation>
+        <source>the direct path to the goal is not free</source>
+        <translation>le chemin direct vers le but n&apos;est pas libre</translation>
     </message>
     <message>
-        <source>the topological graph has no way from start to goal</source>
-        <translation>le graphe topologique n&apos;a aucun trajet du départ au but</translation>
+        <source>the topological graph has no path from start to goal</source>
+        <translation>le graphe topologique n&apos;a aucun chemin du départ au but</translation>
     </message>
     <message>
         <source>%1; forbidden: %2</source>
@@ -8099,12 +8311,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>%1&#xa0;; déjà traversé</translation>
     </message>
     <message>
-        <source>place %1 was not crossed</source>
-        <translation>le lieu %1 n&apos;a pas été traversé</translation>
+        <source>no way through place %1</source>
+        <translation>aucun passage par le lieu %1</translation>
     </message>
     <message>
-        <source>Change the semantic attributes, or use the strategy Layers (gts).</source>
-        <translation>Changez les attributs sémantiques, ou prenez la stratégie Couches (gts).</translation>
+        <source>Relax its attributes, or use Layers (gts).</source>
+        <translation>Assouplissez ses attributs, ou utilisez Couches (gts).</translation>
     </message>
     <message>
         <source>searched from start to goal after the coarse paths</source>
@@ -8191,40 +8403,40 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Vous guidez l&apos;objet et l&apos;ordinateur cherche avec vous&#xa0;; près d&apos;un obstacle, l&apos;objet glisse dessus (Blin et al. 2016, algorithme 1).</translation>
     </message>
     <message>
-        <source>Two trees, without you</source>
-        <translation>Deux arbres, sans vous</translation>
+        <source>RRT-Connect</source>
+        <translation>RRT-Connect</translation>
     </message>
     <message>
-        <source>The computer alone: the same planner with an authority of 1.</source>
-        <translation>L&apos;ordinateur seul&#xa0;: le même planificateur avec une autorité de 1.</translation>
+        <source>The computer alone: two trees that grow towards each other, with contact sampling. The same planner with a computer share of 1.</source>
+        <translation>L&apos;ordinateur seul&#xa0;: deux arbres qui croissent l&apos;un vers l&apos;autre, avec échantillons de contact. Le même planificateur avec une part de l&apos;ordinateur de 1.</translation>
     </message>
     <message>
-        <source>Two trees of OMPL (RRT-Connect)</source>
-        <translation>Deux arbres d&apos;OMPL (RRT-Connect)</translation>
+        <source>RRT-Connect (OMPL)</source>
+        <translation>RRT-Connect (OMPL)</translation>
     </message>
     <message>
         <source>Two trees that grow towards each other (Kuffner and LaValle 2000).</source>
         <translation>Deux arbres qui croissent l&apos;un vers l&apos;autre (Kuffner et LaValle 2000).</translation>
     </message>
     <message>
-        <source>Cells explored, of OMPL (BKPIECE)</source>
-        <translation>Cellules explorées, d&apos;OMPL (BKPIECE)</translation>
+        <source>BKPIECE (OMPL)</source>
+        <translation>BKPIECE (OMPL)</translation>
     </message>
     <message>
         <source>Two trees that grow from the border of the cells explored (Sucan and Kavraki 2009).</source>
         <translation>Deux arbres qui croissent depuis le bord des cellules explorées (Sucan et Kavraki 2009).</translation>
     </message>
     <message>
-        <source>Roadmap of OMPL (PRM)</source>
-        <translation>Graphe d&apos;OMPL (PRM)</translation>
+        <source>PRM (OMPL)</source>
+        <translation>PRM (OMPL)</translation>
     </message>
     <message>
         <source>A roadmap of the whole space (Kavraki et al. 1996).</source>
         <translation>Un graphe de tout l&apos;espace (Kavraki et al. 1996).</translation>
     </message>
     <message>
-        <source>One tree of OMPL (EST)</source>
-        <translation>Un arbre d&apos;OMPL (EST)</translation>
+        <source>EST (OMPL)</source>
+        <translation>EST (OMPL)</translation>
     </message>
     <message>
         <source>One tree that grows where it is sparse (Hsu et al. 1999).</source>
@@ -8259,8 +8471,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Interactive sans contact</translation>
     </message>
     <message>
-        <source>Operator and computer share authority, no contact sampling (Blin et al. 2016, table I).</source>
-        <translation>L&apos;opérateur et l&apos;ordinateur partagent l&apos;autorité, sans échantillons de contact (Blin et al. 2016, tableau I).</translation>
+        <source>Operator and computer share the iterations, no contact sampling (Blin et al. 2016, table I).</source>
+        <translation>L&apos;opérateur et l&apos;ordinateur se partagent les itérations, sans échantillons de contact (Blin et al. 2016, tableau I).</translation>
     </message>
     <message>
         <source>Interactive, contact that follows</source>
@@ -8275,24 +8487,24 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Interactive, contact d&apos;abord</translation>
     </message>
     <message>
-        <source>As the papers&apos; software of 2016: near an obstacle contact sampling pre-empts the authority draw.</source>
-        <translation>Comme le logiciel des articles en 2016&#xa0;: près d&apos;un obstacle, les échantillons de contact passent avant le tirage de l&apos;autorité.</translation>
+        <source>As the papers&apos; software of 2016: near an obstacle contact sampling comes before the draw by computer share.</source>
+        <translation>Comme le logiciel des articles en 2016&#xa0;: près d&apos;un obstacle, les échantillons de contact passent avant le tirage selon la part de l&apos;ordinateur.</translation>
     </message>
     <message>
-        <source>One tree (G)</source>
-        <translation>Un arbre (G)</translation>
+        <source>RRT (G)</source>
+        <translation>RRT (G)</translation>
     </message>
     <message>
         <source>One RRT in the whole workspace (Cailhol et al. 2019, section 6.1).</source>
         <translation>Un RRT dans tout l&apos;espace de travail (Cailhol et al. 2019, section 6.1).</translation>
     </message>
     <message>
-        <source>Shortest way through places (GT)</source>
-        <translation>Plus court trajet par les lieux (GT)</translation>
+        <source>Shortest path through places (GT)</source>
+        <translation>Plus court chemin par les lieux (GT)</translation>
     </message>
     <message>
-        <source>The shortest way through the places, RRT in each of them (Cailhol et al. 2019, section 6.1).</source>
-        <translation>Le trajet le plus court à travers les lieux, un RRT dans chacun (Cailhol et al. 2019, section 6.1).</translation>
+        <source>The shortest path through the places, RRT in each of them (Cailhol et al. 2019, section 6.1).</source>
+        <translation>Le chemin le plus court à travers les lieux, un RRT dans chacun (Cailhol et al. 2019, section 6.1).</translation>
     </message>
     <message>
         <source>Places: holes of the same shape (GTS1)</source>
@@ -8315,8 +8527,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Couches</translation>
     </message>
     <message>
-        <source>Geometry, places and semantics (GTS): the object goes through the passages that it fits best, and takes the next best way where one fails.</source>
-        <translation>Géométrie, lieux et sémantique (GTS)&#xa0;: l&apos;objet prend les passages qui lui conviennent le mieux, et le meilleur trajet suivant quand l&apos;un échoue.</translation>
+        <source>Geometry, places and semantics (GTS): the object goes through the passages that it fits best, and takes the next best path where one fails.</source>
+        <translation>Géométrie, lieux et sémantique (GTS)&#xa0;: l&apos;objet prend les passages qui lui conviennent le mieux, et le meilleur chemin suivant quand l&apos;un échoue.</translation>
     </message>
     <message>
         <source>Places: own rules</source>
@@ -8363,8 +8575,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>l&apos;objet est dans le filetage de %1, qui tournerait avec lui</translation>
     </message>
     <message>
-        <source>the object is in the threads of %1, which no turn leaves at the same time: their axes or pitches differ</source>
-        <translation>l&apos;objet est dans les filetages de %1, qu&apos;aucune rotation ne dévisse en même temps&#xa0;: leurs axes ou leurs pas diffèrent</translation>
+        <source>the object is in the threads of %1, which cannot be unscrewed at the same time: their axes or pitches differ</source>
+        <translation>l&apos;objet est dans les filetages de %1, qui ne peuvent pas être dévissés en même temps&#xa0;: leurs axes ou leurs pas diffèrent</translation>
     </message>
     <message>
         <source>it has no room</source>
@@ -8375,8 +8587,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>%1 fait obstacle</translation>
     </message>
     <message>
-        <source>the object cannot be turned out of the thread of %1, because %2</source>
-        <translation>l&apos;objet ne peut pas être dévissé du filetage de %1&#xa0;: %2</translation>
+        <source>the object cannot be unscrewed from %1, because %2</source>
+        <translation>l&apos;objet ne peut pas être dévissé de %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Remove what is named first, or change the thread.</source>
@@ -8395,8 +8607,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>remplissent la même place (%1 % du plus grand)&#xa0;: ce sont peut-être des variantes d&apos;une même pièce</translation>
     </message>
     <message>
-        <source>Leave one out (--without %1).</source>
-        <translation>Écartez-en un (--without %1).</translation>
+        <source>Exclude one (--without %1).</source>
+        <translation>Excluez-en un (--without %1).</translation>
     </message>
     <message>
         <source>&apos;%1&apos; names a standard that is not known</source>
@@ -8471,36 +8683,36 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>contact</translation>
     </message>
     <message>
-        <source>%1 taken %2 thinner in the tapped hole of %3 (%4)</source>
-        <translation>%1 amincie de %2 dans le trou taraudé de %3 (%4)</translation>
+        <source>%1, %2 in the tapped hole of %3 (%4)</source>
+        <translation>%1, %2 dans le trou taraudé de %3 (%4)</translation>
     </message>
     <message>
-        <source>%1 taken %2 thinner in the hole of %3 (%4)</source>
-        <translation>%1 amincie de %2 dans le trou de %3 (%4)</translation>
+        <source>%1, %2 in the hole of %3 (%4)</source>
+        <translation>%1, %2 dans le trou de %3 (%4)</translation>
     </message>
     <message>
-        <source>%1 taken %2 thinner on the thread of %3 (%4)</source>
-        <translation>%1 amincie de %2 sur le filetage de %3 (%4)</translation>
+        <source>%1, %2 on the thread of %3 (%4)</source>
+        <translation>%1, %2 sur le filetage de %3 (%4)</translation>
     </message>
     <message>
-        <source>%1 taken %2 thinner on the shaft of %3 (%4)</source>
-        <translation>%1 amincie de %2 sur l&apos;arbre de %3 (%4)</translation>
+        <source>%1, %2 on the shaft of %3 (%4)</source>
+        <translation>%1, %2 sur l&apos;arbre de %3 (%4)</translation>
     </message>
     <message>
-        <source>%1 taken %2 thinner against %3 (%4)</source>
-        <translation>%1 amincie de %2 face à %3 (%4)</translation>
+        <source>%1, %2 on %3 (%4)</source>
+        <translation>%1, %2 face à %3 (%4)</translation>
     </message>
     <message>
-        <source>%1 taken without what its screw %2 fills (no hole in the file)</source>
+        <source>%1 without what its screw %2 fills (no hole in the file)</source>
         <translation>%1 sans ce que sa vis %2 remplit (aucun trou dans le fichier)</translation>
     </message>
     <message>
-        <source>%1 taken without what overlaps %2, up to %3 deep (accepted clash)</source>
+        <source>%1 without what overlaps %2, up to %3 deep (accepted clash)</source>
         <translation>%1 sans ce qui recouvre %2, jusqu&apos;à %3 de profondeur (interférence acceptée)</translation>
     </message>
     <message>
-        <source>%1, as a person allows</source>
-        <translation>%1, comme une personne le permet</translation>
+        <source>%1, user-defined</source>
+        <translation>%1, défini par l&apos;utilisateur</translation>
     </message>
     <message>
         <source>%1, pitch %2</source>
@@ -8515,16 +8727,16 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>%1, %2 {2|tour|tours}</translation>
     </message>
     <message>
-        <source>fit so that one of them would have to be taken %1 thinner, which the local thickness or the shape of neither gives: it counts as a clash</source>
-        <translation>s&apos;ajustent de telle sorte que l&apos;un des deux devrait être aminci de %1, ce que ni leur épaisseur locale ni leur forme ne permettent&#xa0;: c&apos;est une interférence</translation>
+        <source>need an allowance of %1, which the local thickness or the shape of neither gives: it counts as a clash</source>
+        <translation>demandent un amincissement de %1, ce que ni leur épaisseur locale ni leur forme ne permettent&#xa0;: c&apos;est une interférence</translation>
     </message>
     <message>
-        <source>fit so that one of them would have to be taken %1 thinner, which the local thickness or the shape of neither gives, and the surface of one is open %2 from the contact, so that what is inside it there is not known: it counts as a clash</source>
-        <translation>s&apos;ajustent de telle sorte que l&apos;un des deux devrait être aminci de %1, ce que ni leur épaisseur locale ni leur forme ne permettent, et la surface de l&apos;un est ouverte à %2 du contact, de sorte que son intérieur n&apos;y est pas connu&#xa0;: c&apos;est une interférence</translation>
+        <source>need an allowance of %1, which the local thickness or the shape of neither gives, and the surface of one is open %2 from the contact, so that what is inside it there is not known: it counts as a clash</source>
+        <translation>demandent un amincissement de %1, ce que ni leur épaisseur locale ni leur forme ne permettent, et la surface de l&apos;un est ouverte à %2 du contact, de sorte que son intérieur n&apos;y est pas connu&#xa0;: c&apos;est une interférence</translation>
     </message>
     <message>
-        <source>touch where neither can be taken thinner: the surfaces are open %1 and %2 from the contact, so that what is inside them there is not known</source>
-        <translation>se touchent là où aucun des deux ne peut être aminci&#xa0;: leurs surfaces sont ouvertes à %1 et %2 du contact, et l&apos;intérieur n&apos;y est donc pas connu</translation>
+        <source>touch where neither can have an allowance: the surfaces are open %1 and %2 from the contact, so that what is inside them there is not known</source>
+        <translation>se touchent là où aucun des deux ne peut avoir d&apos;amincissement&#xa0;: leurs surfaces sont ouvertes à %1 et %2 du contact, et l&apos;intérieur n&apos;y est donc pas connu</translation>
     </message>
     <message>
         <source>was stopped while fits were searched</source>
@@ -8591,8 +8803,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>chassée</translation>
     </message>
     <message>
-        <source>a person says that it is pressed out</source>
-        <translation>une personne dit qu&apos;il se chasse</translation>
+        <source>the user has it pressed out</source>
+        <translation>l&apos;utilisateur le fait chasser</translation>
     </message>
     <message>
         <source>only a unit is opened</source>
@@ -8623,8 +8835,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Donnez &apos;thread&apos; avec le diamètre, le pas et la longueur engagée.</translation>
     </message>
     <message>
-        <source>a person says so</source>
-        <translation>une personne le dit</translation>
+        <source>user-defined</source>
+        <translation>défini par l&apos;utilisateur</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is far from &apos;%2&apos;</source>
@@ -8783,8 +8995,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>se recouvrent de %1, car l&apos;insert est emmanché ou fondu dans la pièce</translation>
     </message>
     <message>
-        <source>It leaves with its host. To press it out, accept the clash (--accept-clashes %1) and say so of the joint.</source>
-        <translation>Il sort avec sa pièce. Pour le chasser, acceptez l&apos;interférence (--accept-clashes %1) et dites-le de la liaison.</translation>
+        <source>It is removed with its host. To press it out, accept the clash (--accept-clashes %1) and state this for the joint.</source>
+        <translation>Il se démonte avec sa pièce. Pour le chasser, acceptez l&apos;interférence (--accept-clashes %1) et indiquez-le pour la liaison.</translation>
     </message>
     <message>
         <source>overlap by %1, which is a clash</source>
@@ -8851,8 +9063,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>c&apos;est un anneau de section ronde</translation>
     </message>
     <message>
-        <source>its hooks bend by %1 when it leaves along a line</source>
-        <translation>ses crochets fléchissent de %1 quand il sort en ligne droite</translation>
+        <source>its hooks bend by %1 when it is removed along a line</source>
+        <translation>ses crochets fléchissent de %1 quand il est démonté en ligne droite</translation>
     </message>
     <message>
         <source>a nut is on the shaft</source>
@@ -8911,28 +9123,28 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Donnez des nombres finis.</translation>
     </message>
     <message>
-        <source>is what moves</source>
-        <translation>est ce qui bouge</translation>
+        <source>is the moving part</source>
+        <translation>est la pièce manipulée</translation>
     </message>
     <message>
         <source>Choose another object first.</source>
         <translation>Choisissez d&apos;abord un autre objet.</translation>
     </message>
     <message>
-        <source>the goal is &quot;out&quot;, which has no position</source>
-        <translation>le but est «&#xa0;dehors&#xa0;», qui n&apos;a pas de position</translation>
+        <source>the goal is &quot;removed&quot;, which has no position</source>
+        <translation>le but est «&#xa0;démonté&#xa0;», qui n&apos;a pas de position</translation>
     </message>
     <message>
         <source>Give the goal a position first.</source>
         <translation>Donnez d&apos;abord une position au but.</translation>
     </message>
     <message>
-        <source>no body is chosen</source>
-        <translation>aucun corps n&apos;est choisi</translation>
+        <source>no body is selected</source>
+        <translation>aucun corps n&apos;est sélectionné</translation>
     </message>
     <message>
-        <source>Choose what moves.</source>
-        <translation>Choisissez ce qui bouge.</translation>
+        <source>Select the moving part.</source>
+        <translation>Sélectionnez la pièce manipulée.</translation>
     </message>
     <message>
         <source>this is the object already</source>
@@ -9051,16 +9263,16 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Donnez la valeur en mètres d&apos;une unité du fichier.</translation>
     </message>
     <message>
-        <source>no part moves</source>
-        <translation>aucune pièce ne bouge</translation>
+        <source>no part is the moving part</source>
+        <translation>aucune pièce n&apos;est la pièce manipulée</translation>
     </message>
     <message>
-        <source>Choose the part that moves.</source>
-        <translation>Choisissez la pièce qui bouge.</translation>
+        <source>Choose the moving part.</source>
+        <translation>Choisissez la pièce manipulée.</translation>
     </message>
     <message>
-        <source>cannot be what moves: the scenario has its object</source>
-        <translation>ne peut pas être la pièce qui bouge&#xa0;: le scénario a déjà son objet</translation>
+        <source>cannot be the moving part: the scenario has one</source>
+        <translation>ne peut pas être la pièce manipulée&#xa0;: le scénario en a déjà une</translation>
     </message>
     <message>
         <source>Make it static or mobile.</source>
@@ -9167,12 +9379,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>dépasse le nombre d&apos;étapes précédentes</translation>
     </message>
     <message>
-        <source>Name the bodies that leave.</source>
-        <translation>Nommez les corps qui sortent.</translation>
+        <source>Name the bodies that are removed.</source>
+        <translation>Nommez les corps qui sont démontés.</translation>
     </message>
     <message>
-        <source>stays, or has left before</source>
-        <translation>reste, ou est déjà sorti</translation>
+        <source>is fixed as base, or was removed before</source>
+        <translation>est fixé comme base, ou est déjà démonté</translation>
     </message>
     <message>
         <source>is not an earlier step</source>
@@ -9187,8 +9399,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>n&apos;a pas de pas de filetage</translation>
     </message>
     <message>
-        <source>stays, or has left</source>
-        <translation>reste, ou est sorti</translation>
+        <source>is fixed as base, or was removed</source>
+        <translation>est fixé comme base, ou est démonté</translation>
     </message>
     <message>
         <source>is deeper than %1 lines</source>
@@ -9199,8 +9411,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>n&apos;est pas une étape qui le précède</translation>
     </message>
     <message>
-        <source>is a scenario, which states the deflection of each of its assets</source>
-        <translation>est un scénario, qui donne lui-même la flèche de chacun de ses assets</translation>
+        <source>is a scenario, which states the mesh tolerance of each of its assets</source>
+        <translation>est un scénario, qui donne lui-même la tolérance de maillage de chacun de ses assets</translation>
     </message>
     <message>
         <source>Change &quot;deflection&quot; of the asset there, or give the part file.</source>
@@ -9215,7 +9427,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Nommez les solides à sa création&#xa0;: glissade-cli new OUT.json --static FICHIER:PIÈCE/SOLIDE --static FICHIER.</translation>
     </message>
     <message>
-        <source>holds one part of several solids: there is nothing to take apart</source>
+        <source>holds one part of several solids: there is nothing to disassemble</source>
         <translation>contient une seule pièce de plusieurs solides&#xa0;: il n&apos;y a rien à démonter</translation>
     </message>
     <message>
@@ -9331,12 +9543,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Vérifiez les unités des deux, ou donnez un espace de travail plus petit.</translation>
     </message>
     <message>
-        <source>leaves bodies out: %1</source>
-        <translation>écarte des corps&#xa0;: %1</translation>
+        <source>excludes bodies: %1</source>
+        <translation>exclut des corps&#xa0;: %1</translation>
     </message>
     <message>
-        <source>Proofs are about the product without them.</source>
-        <translation>Les preuves portent sur le produit sans eux.</translation>
+        <source>Certificates are about the product without them.</source>
+        <translation>Les certificats portent sur le produit sans eux.</translation>
     </message>
     <message>
         <source>has a name that is not valid UTF-8, which a scenario file cannot hold</source>
@@ -9523,24 +9735,24 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>souple</translation>
     </message>
     <message>
-        <source>the motion that &apos;%1&apos; keeps begins in the direction that is to be forbidden</source>
-        <translation>le mouvement que «&#xa0;%1&#xa0;» garde commence dans la direction à interdire</translation>
+        <source>the locked motion of &apos;%1&apos; uses the direction that is to be ruled out</source>
+        <translation>le mouvement verrouillé de «&#xa0;%1&#xa0;» utilise la direction à interdire</translation>
     </message>
     <message>
-        <source>the motion begins in a direction that is forbidden to &apos;%1&apos;</source>
-        <translation>le mouvement commence dans une direction interdite à «&#xa0;%1&#xa0;»</translation>
+        <source>this motion uses a direction you ruled out for &apos;%1&apos;</source>
+        <translation>ce mouvement utilise une direction que vous avez interdite pour «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is to leave before &apos;%2&apos;</source>
-        <translation>«&#xa0;%1&#xa0;» doit sortir avant «&#xa0;%2&#xa0;»</translation>
+        <source>&apos;%1&apos; is to be removed before &apos;%2&apos;</source>
+        <translation>«&#xa0;%1&#xa0;» doit être démonté avant «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
-        <source>Remove the earlier demand, or leave out the new one.</source>
-        <translation>Supprimez l&apos;exigence précédente, ou renoncez à la nouvelle.</translation>
+        <source>Remove the earlier constraint, or omit the new one.</source>
+        <translation>Supprimez la contrainte précédente, ou renoncez à la nouvelle.</translation>
     </message>
     <message>
-        <source>it was to leave as step %1, and no motion was found there</source>
-        <translation>elle devait sortir à l&apos;étape %1, et aucun mouvement n&apos;y a été trouvé</translation>
+        <source>it was to be removed as step %1, and no motion was found there</source>
+        <translation>elle devait être démontée à l&apos;étape %1, et aucun mouvement n&apos;y a été trouvé</translation>
     </message>
     <message>
         <source>of %1 mm</source>
@@ -9639,88 +9851,88 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Numérotez les tâches dans un ordre réalisable.</translation>
     </message>
     <message>
-        <source>a demand names &apos;%1&apos;, which is not a body of the product</source>
-        <translation>une exigence nomme «&#xa0;%1&#xa0;», qui n&apos;est pas un corps du produit</translation>
+        <source>a constraint names &apos;%1&apos;, which is not a body of the product</source>
+        <translation>une contrainte nomme «&#xa0;%1&#xa0;», qui n&apos;est pas un corps du produit</translation>
     </message>
     <message>
-        <source>a demand about a step names no body</source>
-        <translation>une exigence sur une étape ne nomme aucun corps</translation>
+        <source>a constraint about a step names no body</source>
+        <translation>une contrainte sur une étape ne nomme aucun corps</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is in two steps or groups that are demanded</source>
-        <translation>«&#xa0;%1&#xa0;» est dans deux étapes ou groupes exigés</translation>
+        <source>&apos;%1&apos; is in two constrained steps or groups</source>
+        <translation>«&#xa0;%1&#xa0;» est dans deux étapes ou groupes contraints</translation>
     </message>
     <message>
         <source>Name the same bodies in both, or remove one.</source>
         <translation>Nommez les mêmes corps dans les deux, ou supprimez-en un.</translation>
     </message>
     <message>
-        <source>two steps are demanded at place %1</source>
-        <translation>deux étapes sont exigées à la place %1</translation>
+        <source>two steps are constrained to place %1</source>
+        <translation>deux étapes sont contraintes à la place %1</translation>
     </message>
     <message>
         <source>Give each a place of its own, from 1.</source>
         <translation>Donnez à chacune sa propre place, à partir de 1.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is demanded at two places</source>
-        <translation>«&#xa0;%1&#xa0;» est exigé à deux places</translation>
+        <source>&apos;%1&apos; is constrained to two places</source>
+        <translation>«&#xa0;%1&#xa0;» est contraint à deux places</translation>
     </message>
     <message>
         <source>Remove one of them.</source>
         <translation>Supprimez l&apos;une d&apos;elles.</translation>
     </message>
     <message>
-        <source>a demanded motion has fewer than two configurations</source>
-        <translation>un mouvement exigé a moins de deux configurations</translation>
+        <source>a motion of a constraint has fewer than two configurations</source>
+        <translation>un mouvement d&apos;une contrainte a moins de deux configurations</translation>
     </message>
     <message>
         <source>Give two configurations.</source>
         <translation>Donnez deux configurations.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; has two demanded motions</source>
-        <translation>«&#xa0;%1&#xa0;» a deux mouvements exigés</translation>
+        <source>&apos;%1&apos; is constrained to two motions</source>
+        <translation>«&#xa0;%1&#xa0;» est contraint à deux mouvements</translation>
     </message>
     <message>
-        <source>a direction that is forbidden to &apos;%1&apos; has no length</source>
+        <source>a direction that is ruled out for &apos;%1&apos; has no length</source>
         <translation>une direction interdite à «&#xa0;%1&#xa0;» est de longueur nulle</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; has a demanded motion in a direction that is forbidden to it</source>
-        <translation>«&#xa0;%1&#xa0;» a un mouvement exigé dans une direction qui lui est interdite</translation>
+        <source>&apos;%1&apos; is constrained to a motion in a direction that is ruled out for it</source>
+        <translation>«&#xa0;%1&#xa0;» est contraint à un mouvement dans une direction qui lui est interdite</translation>
     </message>
     <message>
-        <source>Remove one of the two demands.</source>
-        <translation>Supprimez l&apos;une des deux exigences.</translation>
+        <source>Remove one of the two constraints.</source>
+        <translation>Supprimez l&apos;une des deux contraintes.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is demanded to leave with others twice</source>
-        <translation>«&#xa0;%1&#xa0;» est deux fois exigé dans un groupe</translation>
+        <source>&apos;%1&apos; is in two groups that are to be removed together</source>
+        <translation>«&#xa0;%1&#xa0;» est dans deux groupes à démonter ensemble</translation>
     </message>
     <message>
         <source>Name each body once.</source>
         <translation>Nommez chaque corps une seule fois.</translation>
     </message>
     <message>
-        <source>the demands about the order form a cycle</source>
-        <translation>les exigences sur l&apos;ordre forment un cycle</translation>
+        <source>the constraints on the order form a cycle</source>
+        <translation>les contraintes sur l&apos;ordre forment un cycle</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; stays, and is demanded to leave as step %2</source>
-        <translation>«&#xa0;%1&#xa0;» reste, et doit sortir à l&apos;étape %2</translation>
+        <source>&apos;%1&apos; is fixed as base, and is constrained to step %2</source>
+        <translation>«&#xa0;%1&#xa0;» est fixé comme base, et contraint à l&apos;étape %2</translation>
     </message>
     <message>
-        <source>Let another body stay, or remove the demand.</source>
-        <translation>Laissez un autre corps en place, ou supprimez l&apos;exigence.</translation>
+        <source>Fix another body as base, or remove the constraint.</source>
+        <translation>Fixez un autre corps comme base, ou supprimez la contrainte.</translation>
     </message>
     <message>
         <source>Greedy</source>
         <translation>Gloutonne</translation>
     </message>
     <message>
-        <source>Whatever can leave leaves, the smallest first; what cannot is asked again when one of those in its way has left.</source>
-        <translation>Tout ce qui peut sortir sort, le plus petit d&apos;abord&#xa0;; ce qui ne le peut pas est réessayé quand un corps qui le gêne est sorti.</translation>
+        <source>Every part that can be removed is removed, the smallest first; the others are tried again when a part that blocks them was removed.</source>
+        <translation>Toute pièce qui peut être démontée l&apos;est, la plus petite d&apos;abord&#xa0;; les autres sont réessayées quand une pièce qui les bloque est démontée.</translation>
     </message>
     <message>
         <source>Best first</source>
@@ -9751,31 +9963,31 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Mouvements courts</translation>
     </message>
     <message>
-        <source>Fragile parts leave first</source>
-        <translation>Pièces fragiles d&apos;abord</translation>
+        <source>Fragile parts removed first</source>
+        <translation>Pièces fragiles démontées d&apos;abord</translation>
     </message>
     <message>
         <source>As found</source>
         <translation>Comme trouvé</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is one part of %2 solids that do not touch each other: take these as parts (--open &quot;%3&quot;, or &quot;Groups and solids are parts&quot; in the list of parts)</source>
-        <translation>«&#xa0;%1&#xa0;» est une pièce de %2 solides qui ne se touchent pas&#xa0;: prenez-les comme des pièces (--open &quot;%3&quot;, ou «&#xa0;Groupes et solides sont des pièces&#xa0;» dans la liste des pièces)</translation>
+        <source>&apos;%1&apos; is one part of %2 solids that do not touch each other: split it (--open &quot;%3&quot;, or &quot;Split OBJ groups and solids&quot; in the list of parts)</source>
+        <translation>«&#xa0;%1&#xa0;» est une pièce de %2 solides qui ne se touchent pas&#xa0;: divisez-la (--open &quot;%3&quot;, ou «&#xa0;Diviser groupes OBJ et solides&#xa0;» dans la liste des pièces)</translation>
     </message>
     <message>
-        <source>it is demanded that &apos;%1&apos; leaves before</source>
-        <translation>il est exigé que «&#xa0;%1&#xa0;» sorte avant</translation>
+        <source>a constraint states that &apos;%1&apos; is removed before</source>
+        <translation>une contrainte énonce que «&#xa0;%1&#xa0;» est démonté avant</translation>
     </message>
     <message>
-        <source>it and &apos;%1&apos; hold each other: neither was found to leave alone, nor both as one; motions of several bodies at the same time are not searched</source>
+        <source>it and &apos;%1&apos; hold each other: no motion was found for either alone, nor for both as one; motions of several bodies at the same time are not searched</source>
         <translation>elle et «&#xa0;%1&#xa0;» se bloquent mutuellement&#xa0;: aucun mouvement n&apos;a été trouvé, ni pour l&apos;une seule, ni pour les deux ensemble&#xa0;; les mouvements simultanés de plusieurs corps ne sont pas cherchés</translation>
     </message>
     <message>
-        <source>the motion that a person gave it is not free</source>
-        <translation>le mouvement donné à la main n&apos;est pas libre</translation>
+        <source>its motion by hand is not free</source>
+        <translation>son mouvement fait à la main n&apos;est pas libre</translation>
     </message>
     <message>
-        <source>no motion was found in a direction that is not forbidden</source>
+        <source>no motion was found in a direction that is not ruled out</source>
         <translation>aucun mouvement n&apos;a été trouvé dans une direction permise</translation>
     </message>
     <message>
@@ -9795,8 +10007,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>tenue par %1&#xa0;: retirez-les d&apos;abord</translation>
     </message>
     <message>
-        <source>it is held by %1 in &apos;%2&apos;, and no free turn out of it was found: free the way, or dissolve the joint</source>
-        <translation>elle est tenue par %1 dans «&#xa0;%2&#xa0;», et aucune rotation libre ne l&apos;en sort&#xa0;: dégagez le passage, ou supprimez la liaison</translation>
+        <source>it is held by %1 in &apos;%2&apos;, and cannot be unscrewed: clear the space, or dissolve the joint</source>
+        <translation>elle est tenue par %1 dans «&#xa0;%2&#xa0;», et ne peut pas être dévissée&#xa0;: dégagez le passage, ou supprimez la liaison</translation>
     </message>
     <message>
         <source>it and &apos;%1&apos; clash where they are assembled: mend the parts, or accept the clash</source>
@@ -9843,16 +10055,16 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>prendre une pièce avec une aide au levage</translation>
     </message>
     <message>
-        <source>place a part along a straight way</source>
-        <translation>poser une pièce par un trajet droit</translation>
+        <source>place a part along a straight path</source>
+        <translation>poser une pièce par un chemin droit</translation>
     </message>
     <message>
         <source>place a part into a fit</source>
         <translation>poser une pièce dans un ajustement</translation>
     </message>
     <message>
-        <source>place a part along a way with turns</source>
-        <translation>poser une pièce par un trajet avec des virages</translation>
+        <source>place a part along a path with turns</source>
+        <translation>poser une pièce par un chemin avec des virages</translation>
     </message>
     <message>
         <source>press a part into its seat</source>
@@ -10035,8 +10247,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Donnez un minimum inférieur au maximum.</translation>
     </message>
     <message>
-        <source>the goal &apos;out&apos; cannot be reached: the workspace has no room outside the box around the obstacles</source>
-        <translation>le but «&#xa0;dehors&#xa0;» est hors d&apos;atteinte&#xa0;: l&apos;espace de travail n&apos;a pas de place hors de la boîte englobante des obstacles</translation>
+        <source>the goal &apos;removed&apos; cannot be reached: the workspace has no room outside the box around the obstacles</source>
+        <translation>le but «&#xa0;démonté&#xa0;» ne peut pas être atteint&#xa0;: l&apos;espace de travail n&apos;a pas de place hors de la boîte des obstacles</translation>
     </message>
     <message>
         <source>Enlarge the workspace by the size of the object on one side at least.</source>
@@ -10051,8 +10263,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Pour comparer&#xa0;: %1 non modifié</translation>
     </message>
     <message>
-        <source>%1 as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
-        <translation>%1 tel que l&apos;emploient les utilisateurs d&apos;OMPL&#xa0;: collisions par FCL, arêtes vérifiées par points&#xa0;; le premier chemin est jugé par notre certificat.</translation>
+        <source>%1 as OMPL&apos;s users run it: collisions by FCL, edges sampled at intervals; the first path is checked by our certificate.</source>
+        <translation>%1 tel que l&apos;emploient les utilisateurs d&apos;OMPL&#xa0;: collisions par FCL, arêtes vérifiées par points&#xa0;; le premier chemin est vérifié par notre certificat.</translation>
     </message>
     <message>
         <source>Remove it to mean any.</source>
@@ -10307,8 +10519,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>secondes</translation>
     </message>
     <message>
-        <source>Framed steps: the longest chain</source>
-        <translation>Étapes encadrées&#xa0;: la chaîne la plus longue</translation>
+        <source>Framed steps: the critical path</source>
+        <translation>Étapes encadrées&#xa0;: le chemin critique</translation>
     </message>
     <message>
         <source>Step %1: %2</source>
@@ -10327,8 +10539,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Scénario</translation>
     </message>
     <message>
-        <source>Part that moves</source>
-        <translation>Pièce mobile</translation>
+        <source>Moving part</source>
+        <translation>Pièce manipulée</translation>
     </message>
     <message>
         <source>Other parts</source>
@@ -10363,12 +10575,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Certificat</translation>
     </message>
     <message>
-        <source>The path is proved free of penetration: the part keeps the required clearance from all other parts at every time of the motion, not only at samples.</source>
-        <translation>Le chemin est prouvé sans pénétration&#xa0;: la pièce garde le jeu exigé à toutes les autres pièces à chaque instant du mouvement, et non seulement à des échantillons.</translation>
+        <source>The path is certified free of penetration: the part keeps the required clearance from all other parts at every time of the motion, not only at samples.</source>
+        <translation>Le chemin est certifié sans pénétration&#xa0;: la pièce garde le jeu exigé à toutes les autres pièces à chaque instant du mouvement, et non seulement à des échantillons.</translation>
     </message>
     <message>
-        <source>Proved clearance</source>
-        <translation>Jeu prouvé</translation>
+        <source>Certified clearance</source>
+        <translation>Jeu certifié</translation>
     </message>
     <message>
         <source>Smallest clearance met</source>
@@ -10403,12 +10615,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>où sont ces formes du fichier : %1</translation>
     </message>
     <message>
-        <source>About triangles</source>
-        <translation>Sur des triangles</translation>
+        <source>CAD accuracy</source>
+        <translation>Précision CAO</translation>
     </message>
     <message>
-        <source>within ± %1 of the CAD surfaces</source>
-        <translation>à ± %1 des surfaces CAO</translation>
+        <source>± %1</source>
+        <translation>± %1</translation>
     </message>
     <message>
         <source>32-bit coordinates</source>
@@ -10467,10 +10679,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Toutes les pièces sont des boîtes, des cylindres et des sphères du scénario.</translation>
     </message>
     <message>
-        <source>stays</source>
-        <translation>reste</translation>
-    </message>
-    <message>
         <source>stuck</source>
         <translation>coincée</translation>
     </message>
@@ -10479,12 +10687,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Rapport de la séquence : %1</translation>
     </message>
     <message>
-        <source>Order of the steps</source>
-        <translation>Ordre des étapes</translation>
+        <source>Precedence graph</source>
+        <translation>Graphe d&apos;antériorité</translation>
     </message>
     <message>
-        <source>An arrow leads from a step of the removal to each step that it makes way for.</source>
-        <translation>Une flèche mène d&apos;une étape du démontage à chaque étape à laquelle elle fait place.</translation>
+        <source>An arrow leads from a step of the removal to each step that has to come after it.</source>
+        <translation>Une flèche mène d&apos;une étape du démontage à chaque étape qui doit la suivre.</translation>
     </message>
     <message>
         <source>Product</source>
@@ -10503,7 +10711,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Pièces sans étape</translation>
     </message>
     <message>
-        <source>Every motion is certified: the part keeps its clearance from all parts that are there, on all of its way.</source>
+        <source>Every motion is certified: the part keeps its clearance from all parts that are present, along its whole path.</source>
         <translation>Chaque mouvement est certifié&#xa0;: la pièce garde son jeu à toutes les pièces présentes, sur tout son chemin.</translation>
     </message>
     <message>
@@ -10511,20 +10719,20 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>La vérification indépendante confirme %1 {1|étape|étapes} sur %2.</translation>
     </message>
     <message>
-        <source>The proof is about the product without these shapes of the file, which were not made into bodies: %1.</source>
-        <translation>La preuve porte sur le produit sans ces formes du fichier, dont aucun corps n&apos;a été fait : %1.</translation>
+        <source>The certificate is about the product without these shapes of the file, which were not made into bodies: %1.</source>
+        <translation>Le certificat porte sur le produit sans ces formes du fichier, dont aucun corps n&apos;a été fait&#xa0;: %1.</translation>
     </message>
     <message>
         <source>The plan is valid only if %1.</source>
         <translation>Le plan n&apos;est valable que si %1.</translation>
     </message>
     <message>
-        <source>%1 {1|part leaves in a group that is|parts leave in groups that are} not taken apart.</source>
-        <translation>%1 {1|pièce sort dans un groupe qui n&apos;est pas démonté|pièces sortent dans des groupes qui ne sont pas démontés}.</translation>
+        <source>%1 {1|part is removed in a group that is|parts are removed in groups that are} not disassembled.</source>
+        <translation>%1 {1|pièce est démontée dans un groupe qui n&apos;est pas démonté|pièces sont démontées dans des groupes qui ne sont pas démontés}.</translation>
     </message>
     <message>
-        <source>The certificates are about triangles, which are within ± %1 of the CAD surfaces.</source>
-        <translation>Les certificats portent sur des triangles, à ± %1 des surfaces CAO.</translation>
+        <source>CAD accuracy of the certificates: ± %1.</source>
+        <translation>Précision CAO des certificats&#xa0;: ± %1.</translation>
     </message>
     <message>
         <source>The product, exploded</source>
@@ -10547,8 +10755,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Outil</translation>
     </message>
     <message>
-        <source>Access of a hand, sampled</source>
-        <translation>Accès d&apos;une main, par échantillons</translation>
+        <source>Hand access, sampled</source>
+        <translation>Accès de la main, par échantillons</translation>
     </message>
     <message>
         <source>%1 is not put on alone.</source>
@@ -10563,8 +10771,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Étapes %1 à %2 sur %3&#xa0;: %4</translation>
     </message>
     <message>
-        <source>%1 on its way</source>
-        <translation>%1 sur son chemin</translation>
+        <source>%1, removal path</source>
+        <translation>%1, chemin de démontage</translation>
     </message>
     <message>
         <source>Full name</source>
@@ -10575,8 +10783,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Mouvement</translation>
     </message>
     <message>
-        <source>To be held</source>
-        <translation>À tenir</translation>
+        <source>Support</source>
+        <translation>Maintien</translation>
     </message>
     <message>
         <source>Forced, although</source>
@@ -10679,8 +10887,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>tenir %1</translation>
     </message>
     <message>
-        <source>demanded before it: %1</source>
-        <translation>exigés avant elle&#xa0;: %1</translation>
+        <source>to be removed before: %1</source>
+        <translation>à démonter avant&#xa0;: %1</translation>
     </message>
     <message>
         <source>nuts still on it: %1</source>
@@ -10695,27 +10903,19 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>encore assemblés avec elle&#xa0;: %1</translation>
     </message>
     <message>
-        <source>demanded at another place</source>
-        <translation>exigée à une autre place</translation>
+        <source>constrained to another place</source>
+        <translation>contrainte à une autre place</translation>
     </message>
     <message>
         <source>the largest part</source>
         <translation>la plus grande pièce</translation>
     </message>
     <message>
-        <source>as a person says</source>
-        <translation>comme une personne l&apos;a dit</translation>
-    </message>
-    <message>
-        <source>turn out of %1, %2 {2|turn|turns}</source>
-        <translation>dévisser de %1, %2 {2|tour|tours}</translation>
-    </message>
-    <message>
-        <source>turn into %1, %2 {2|turn|turns}</source>
+        <source>screw into %1, %2 {2|turn|turns}</source>
         <translation>visser dans %1, %2 {2|tour|tours}</translation>
     </message>
     <message>
-        <source>turn off nut %1, %2 {2|turn|turns}</source>
+        <source>unscrew nut %1, %2 {2|turn|turns}</source>
         <translation>dévisser l&apos;écrou %1, %2 {2|tour|tours}</translation>
     </message>
     <message>
@@ -10723,7 +10923,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>visser l&apos;écrou %1, %2 {2|tour|tours}</translation>
     </message>
     <message>
-        <source>turn out screw %1, %2 {2|turn|turns}</source>
+        <source>unscrew %1, %2 {2|turn|turns}</source>
         <translation>dévisser la vis %1, %2 {2|tour|tours}</translation>
     </message>
     <message>
@@ -10759,20 +10959,20 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>fléchi de %1</translation>
     </message>
     <message>
-        <source>take off %1</source>
-        <translation>enlever de %1</translation>
+        <source>remove from %1</source>
+        <translation>retirer de %1</translation>
     </message>
     <message>
         <source>lay on %1</source>
         <translation>poser sur %1</translation>
     </message>
     <message>
-        <source>%1 {1|turn|turns} out, then %2</source>
-        <translation>%1 {1|tour|tours} pour dévisser, puis %2</translation>
+        <source>unscrew %1 {1|turn|turns}, then %2</source>
+        <translation>dévisser de %1 {1|tour|tours}, puis %2</translation>
     </message>
     <message>
-        <source>%2, then %1 {1|turn|turns} in</source>
-        <translation>%2, puis %1 {1|tour|tours} pour visser</translation>
+        <source>%2, then screw in %1 {1|turn|turns}</source>
+        <translation>%2, puis visser de %1 {1|tour|tours}</translation>
     </message>
     <message>
         <source>does not move</source>
@@ -10815,16 +11015,16 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>sans ce qui recouvre %2, jusqu&apos;à %1 de profondeur (interférence acceptée)</translation>
     </message>
     <message>
-        <source>, as a person allows</source>
-        <translation>, comme une personne le permet</translation>
+        <source>, user-defined</source>
+        <translation>, défini par l&apos;utilisateur</translation>
     </message>
     <message>
-        <source>%1 taken %2 thinner (%3)</source>
-        <translation>%1 amincie de %2 (%3)</translation>
+        <source>%2 on %1, which gives way (%3)</source>
+        <translation>%2 sur %1, qui cède (%3)</translation>
     </message>
     <message>
-        <source>taken %1 thinner against %2 (%3)</source>
-        <translation>amincie de %1 face à %2 (%3)</translation>
+        <source>%1 on %2 (%3)</source>
+        <translation>%1 face à %2 (%3)</translation>
     </message>
     <message>
         <source>is not &quot;glissade-study-run&quot;</source>
@@ -11019,8 +11219,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>interrompu après %1 {1|essai|essais} sur %2</translation>
     </message>
     <message>
-        <source>The same command goes on from here.</source>
-        <translation>La même commande continue à partir d&apos;ici.</translation>
+        <source>The same command resumes from here.</source>
+        <translation>La même commande reprend à partir d&apos;ici.</translation>
     </message>
     <message>
         <source>Work of each station</source>
@@ -11035,8 +11235,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Ligne de %1 {1|poste|postes}</translation>
     </message>
     <message>
-        <source>A product leaves the line every %1. No division is faster than %2.</source>
-        <translation>Un produit quitte la ligne toutes les %1. Aucune répartition n&apos;est plus rapide que %2.</translation>
+        <source>Cycle time %1. Minimum %2.</source>
+        <translation>Temps de cycle %1. Minimum %2.</translation>
     </message>
     <message>
         <source>The times are estimates of the size of tables for manual assembly (Boothroyd, Dewhurst and Knight 2011). They were not measured.</source>
@@ -11055,20 +11255,20 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Temps</translation>
     </message>
     <message>
-        <source>Longest chain</source>
-        <translation>Chaîne la plus longue</translation>
+        <source>Critical path</source>
+        <translation>Chemin critique</translation>
     </message>
     <message>
-        <source>Steps of the longest chain</source>
-        <translation>Étapes de la chaîne la plus longue</translation>
+        <source>Steps of the critical path</source>
+        <translation>Étapes du chemin critique</translation>
     </message>
     <message>
         <source>the swept volume was not finished</source>
         <translation>le volume balayé n&apos;a pas été terminé</translation>
     </message>
     <message>
-        <source>there is nothing that moves</source>
-        <translation>aucun corps ne se déplace</translation>
+        <source>there is no moving part</source>
+        <translation>il n&apos;y a pas de pièce manipulée</translation>
     </message>
     <message>
         <source>Give a body with triangles and a path.</source>
@@ -11095,8 +11295,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Donnez une longueur, comme 0.5mm.</translation>
     </message>
     <message>
-        <source>nothing leaves: every body stays, or a joint holds it to one that stays. See &apos;glissade-cli joints&apos;, and dissolve a joint in a scenario.</source>
-        <translation>rien ne sort&#xa0;: chaque corps reste, ou une liaison le lie à un corps qui reste. Voyez «&#xa0;glissade-cli joints&#xa0;», et supprimez une liaison dans un scénario.</translation>
+        <source>nothing can be removed: every body is fixed as base, or a joint holds it to the base. See &apos;glissade-cli joints&apos;, and dissolve a joint in a scenario.</source>
+        <translation>rien ne peut être démonté&#xa0;: chaque corps est fixé comme base, ou une liaison le lie à la base. Voyez «&#xa0;glissade-cli joints&#xa0;», et supprimez une liaison dans un scénario.</translation>
     </message>
     <message>
         <source>Name the one that is cut (--cut &quot;%1&quot; or --cut &quot;%2&quot;), or mend the parts.</source>
@@ -11165,6 +11365,10 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>Install Glissade as a whole.</source>
         <translation>Installez Glissade en entier.</translation>
+    </message>
+    <message>
+        <source>Base part</source>
+        <translation>Pièce de base</translation>
     </message>
 </context>
 <context>
@@ -11434,28 +11638,28 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Planification&#xa0;: recherche des jalons dans les frontières</translation>
     </message>
     <message>
-        <source>The path does not hold here: see Path. Find path (F5) looks for another.</source>
-        <translation>Le chemin n&apos;est pas valide ici&#xa0;: voir le panneau Chemin. Chercher un chemin (F5) en cherche un autre.</translation>
+        <source>The path is no longer valid: see Path. Find path (F5) looks for another.</source>
+        <translation>Le chemin n&apos;est plus valide&#xa0;: voir le panneau Chemin. Chercher un chemin (F5) en cherche un autre.</translation>
     </message>
     <message>
-        <source>The path holds: certified free of penetration</source>
+        <source>The path is valid: certified free of penetration</source>
         <translation>Chemin valide&#xa0;: certifié sans pénétration</translation>
     </message>
     <message>
-        <source>The start is refused: see the message over the scene.</source>
-        <translation>Le départ est refusé&#xa0;: voir le message au-dessus de la scène.</translation>
+        <source>The start pose cannot be used: see the message over the scene.</source>
+        <translation>La position de départ est inutilisable&#xa0;: voir le message au-dessus de la scène.</translation>
     </message>
     <message>
-        <source>The goal is refused: see the message over the scene.</source>
-        <translation>Le but est refusé&#xa0;: voir le message au-dessus de la scène.</translation>
+        <source>The goal pose cannot be used: see the message over the scene.</source>
+        <translation>La position de but est inutilisable&#xa0;: voir le message au-dessus de la scène.</translation>
     </message>
     <message>
         <source>Planning: growing two trees</source>
         <translation>Planification&#xa0;: croissance de deux arbres</translation>
     </message>
     <message>
-        <source>Stopped: what was found is still shown</source>
-        <translation>Arrêté&#xa0;: ce qui a été trouvé reste affiché</translation>
+        <source>Stopped. Results kept.</source>
+        <translation>Arrêté. Résultats conservés.</translation>
     </message>
     <message>
         <source>Planning: finding the places</source>
@@ -11477,8 +11681,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Ouvrir un scénario</translation>
     </message>
     <message>
-        <source>Open the sample &quot;Four bodies&quot;: its card on the welcome page, or Open (Ctrl+O) and samples/teaching/scenario.json. The red box is to reach the ghost. A scenario holds bodies, the object that moves, its start and its goal.</source>
-        <translation>Ouvrez l&apos;exemple «&#xa0;Quatre corps&#xa0;»&#xa0;: sa carte sur la page d&apos;accueil, ou Ouvrir (Ctrl+O) et samples/teaching/scenario.json. La boîte rouge doit atteindre le fantôme. Un scénario contient des corps, l&apos;objet qui bouge, son départ et son but.</translation>
+        <source>Open the sample &quot;Four bodies&quot;: its card on the welcome page, or Open (Ctrl+O) and samples/teaching/scenario.json. The red box is to reach the ghost. A scenario holds bodies, the moving part, its start and its goal.</source>
+        <translation>Ouvrez l&apos;exemple «&#xa0;Quatre corps&#xa0;»&#xa0;: sa carte sur la page d&apos;accueil, ou Ouvrir (Ctrl+O) et samples/teaching/scenario.json. La boîte rouge doit atteindre le fantôme. Un scénario contient des corps, la pièce manipulée, son départ et son but.</translation>
     </message>
     <message>
         <source>See the places</source>
@@ -11517,16 +11721,16 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Voir les ajustements</translation>
     </message>
     <message>
-        <source>Choose Assembly &gt; Find fits (Ctrl+I). The parts touch, as most CAD parts do. The panel Fits lists the pairs, with gap and allowance: by so much the part that moves is taken thinner against the other one. A click on a row marks the two parts.</source>
-        <translation>Choisissez Assemblage &gt; Chercher les ajustements (Ctrl+I). Les pièces se touchent, comme la plupart des pièces CAO. Le panneau Ajustements énumère les paires, avec écart et amincissement&#xa0;: la pièce qui bouge est amincie d&apos;autant face à l&apos;autre. Un clic sur une ligne marque les deux pièces.</translation>
+        <source>Choose Assembly &gt; Find fits (Ctrl+I). The parts touch, as most CAD parts do. The panel Fits lists the pairs, with gap and allowance: the moving part is that much thinner against the other one. A click on a row marks the two parts.</source>
+        <translation>Choisissez Assemblage &gt; Chercher les ajustements (Ctrl+I). Les pièces se touchent, comme la plupart des pièces CAO. Le panneau Ajustements énumère les paires, avec écart et amincissement&#xa0;: la pièce manipulée est d&apos;autant plus mince face à l&apos;autre. Un clic sur une ligne marque les deux pièces.</translation>
     </message>
     <message>
-        <source>Take a part out</source>
-        <translation>Sortir une pièce</translation>
+        <source>Remove a part</source>
+        <translation>Démonter une pièce</translation>
     </message>
     <message>
-        <source>Press Find path (F5): the planner searches how the nut leaves the rod. The panel Path shows the clearance along the motion, the allowances, and plays it (Ctrl+P).</source>
-        <translation>Appuyez sur Chercher un chemin (F5) : le planificateur cherche comment l&apos;écrou quitte la tige. Le panneau Chemin montre le jeu le long du mouvement, les tolérances, et le joue (Ctrl+P).</translation>
+        <source>Press Find path (F5): the planner searches the removal path of the nut. The panel Path shows the clearance along the motion, the allowances, and plays it (Ctrl+P).</source>
+        <translation>Appuyez sur Chercher un chemin (F5)&#xa0;: le planificateur cherche le chemin de démontage de l&apos;écrou. Le panneau Chemin montre le jeu le long du mouvement, les amincissements, et le joue (Ctrl+P).</translation>
     </message>
     <message>
         <source>Cut it open</source>
@@ -11537,28 +11741,28 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Choisissez Vue &gt; Coupes &gt; Coupe perpendiculaire à Y (Ctrl+Alt+Y)&#xa0;: le plan coupe les corps, et l&apos;on voit les vis, la tige et les trous. La flèche dans la scène déplace le plan.</translation>
     </message>
     <message>
-        <source>Choose Assembly &gt; Plan the sequence (Ctrl+J): in which order do the parts leave? Each step has a motion that is proved. The rod leaves before the bolts, which have no room below it. A click on a row shows the step.</source>
-        <translation>Choisissez Assemblage &gt; Planifier la séquence (Ctrl+J) : dans quel ordre les pièces sortent-elles ? Chaque étape a un mouvement prouvé. La tige sort avant les vis, qui n&apos;ont pas de place sous elle. Un clic sur une ligne montre l&apos;étape.</translation>
+        <source>Choose Assembly &gt; Plan the sequence (Ctrl+J): in which order are the parts removed? Each step has a certified motion. The rod is removed before the bolts, which have no room below it. A click on a row shows the step.</source>
+        <translation>Choisissez Assemblage &gt; Planifier la séquence (Ctrl+J)&#xa0;: dans quel ordre les pièces se démontent-elles&#xa0;? Chaque étape a un mouvement certifié. La tige se démonte avant les vis, qui n&apos;ont pas de place sous elle. Un clic sur une ligne montre l&apos;étape.</translation>
     </message>
     <message>
         <source>Write the instruction</source>
         <translation>Écrire la gamme de montage</translation>
     </message>
     <message>
-        <source>In the list of strategies (panel Interaction), choose Advanced, then Shortest way through places (GT), and press Find path (F5). The way leads through the slot P6, which is too narrow, and the run ends there: the panel Plan says where and why.</source>
-        <translation>Dans la liste des stratégies (panneau Interaction), choisissez Avancées, puis Plus court passage par les lieux (GT), et appuyez sur Chercher un chemin (F5). Le passage traverse la fente P6, qui est trop étroite, et le calcul s&apos;y termine&#xa0;: le panneau Plan dit où et pourquoi.</translation>
+        <source>In the list of strategies (panel Interaction), choose Advanced, then Shortest path through places (GT), and press Find path (F5). The path leads through the slot P6, which is too narrow, and the run ends there: the panel Plan says where and why.</source>
+        <translation>Dans la liste des stratégies (panneau Interaction), choisissez Avancées, puis Plus court chemin par les lieux (GT), et appuyez sur Chercher un chemin (F5). Le chemin passe par la fente P6, qui est trop étroite, et le calcul s&apos;y termine&#xa0;: le panneau Plan dit où et pourquoi.</translation>
     </message>
     <message>
-        <source>Choose the strategy Layers and press Find path (F5). It knows that the object does not fit through the slot and goes through P5. The path that it finds is proved free of penetration.</source>
-        <translation>Choisissez la stratégie Couches et appuyez sur Chercher un chemin (F5). Elle sait que l&apos;objet ne passe pas par la fente, et passe par P5. Le chemin trouvé est prouvé sans pénétration.</translation>
+        <source>Choose the strategy Layers and press Find path (F5). It knows that the object does not fit through the slot and goes through P5. The path that it finds is certified free of penetration.</source>
+        <translation>Choisissez la stratégie Couches et appuyez sur Chercher un chemin (F5). Elle sait que l&apos;objet ne passe pas par la fente, et passe par P5. Le chemin trouvé est certifié sans pénétration.</translation>
     </message>
     <message>
         <source>Now parts. Press Do it for me: it opens the sample &quot;Bolted brackets&quot; in place of the one that is open. It has two brackets on a plate, with bolts, a rod and nuts. With parts of your own, begin with File &gt; New from parts (Ctrl+N): STEP, mesh or URDF files.</source>
         <translation>Maintenant des pièces. Appuyez sur Le faire pour moi&#xa0;: l&apos;exemple «&#xa0;Équerres boulonnées&#xa0;» s&apos;ouvre à la place de celui qui est ouvert. Il a deux équerres sur une plaque, avec des vis, une tige et des écrous. Avec vos propres pièces, commencez par Fichier &gt; Nouveau à partir de pièces (Ctrl+N)&#xa0;: fichiers STEP, maillages ou URDF.</translation>
     </message>
     <message>
-        <source>The slider Explode in the panel Sequence moves the parts apart, in the order in which they leave. Choose Assembly &gt; Sequence &gt; Save the sequence (Ctrl+Alt+E) and a name that ends in .html or .pdf: a work instruction with a picture of each step. Shift+F1 explains anything in the window; Ctrl+K finds any command.</source>
-        <translation>Le curseur Éclater du panneau Séquence écarte les pièces, dans l&apos;ordre où elles sortent. Choisissez Assemblage &gt; Séquence &gt; Enregistrer la séquence (Ctrl+Alt+E) et un nom qui finit par .html ou .pdf&#xa0;: une gamme de montage avec une image de chaque étape. Maj+F1 explique tout dans la fenêtre&#xa0;; Ctrl+K trouve toute commande.</translation>
+        <source>The slider Explode in the panel Sequence moves the parts apart, in the order of removal. Choose Assembly &gt; Sequence &gt; Save the sequence (Ctrl+Alt+E) and a name that ends in .html or .pdf: a work instruction with a picture of each step. Shift+F1 explains anything in the window; Ctrl+K finds any command.</source>
+        <translation>Le curseur Éclater du panneau Séquence écarte les pièces, dans l&apos;ordre du démontage. Choisissez Assemblage &gt; Séquence &gt; Enregistrer la séquence (Ctrl+Alt+E) et un nom qui finit par .html ou .pdf&#xa0;: une gamme de montage avec une image de chaque étape. Maj+F1 explique tout dans la fenêtre&#xa0;; Ctrl+K trouve toute commande.</translation>
     </message>
 </context>
 <context>
@@ -11607,8 +11811,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
 <context>
     <name>WhatsThis</name>
     <message>
-        <source>All bodies of the scenario: the object that moves with its start and goal, and the obstacles. A checked box draws a body. Below are position and angles of what is selected.</source>
-        <translation>Tous les corps du scénario&#xa0;: l&apos;objet avec son départ et son but, et les obstacles. La case affiche ou masque un corps. Au-dessous&#xa0;: la position et les angles de la sélection.</translation>
+        <source>All bodies of the scenario: the moving part with its start and goal, and the obstacles. A checked box draws a body. Below are position and angles of what is selected.</source>
+        <translation>Tous les corps du scénario&#xa0;: la pièce manipulée avec son départ et son but, et les obstacles. La case affiche ou masque un corps. Au-dessous&#xa0;: la position et les angles de la sélection.</translation>
     </message>
     <message>
         <source>What is known of places and bodies. Above are the places with their complexity and width, below the attributes of what is selected. The coarse path follows each change at once.</source>
@@ -11631,16 +11835,16 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Le chemin trouvé, son certificat et son jeu. Le curseur et la courbe déplacent l&apos;objet le long du chemin.</translation>
     </message>
     <message>
-        <source>The paths that the scenario keeps. Each is proved again when the scenario is opened or arranged. A checked box draws a path in the scene.</source>
-        <translation>Les chemins conservés dans le scénario. Chacun est prouvé de nouveau quand le scénario est ouvert ou modifié. La case affiche un chemin dans la scène.</translation>
+        <source>The paths that the scenario keeps. Each is certified again when the scenario is opened or arranged. A checked box draws a path in the scene.</source>
+        <translation>Les chemins conservés dans le scénario. Chacun est certifié de nouveau quand le scénario est ouvert ou modifié. La case affiche un chemin dans la scène.</translation>
     </message>
     <message>
         <source>All messages since the program was started.</source>
         <translation>Tous les messages depuis le démarrage du programme.</translation>
     </message>
     <message>
-        <source>In which order the parts of the product leave, each with a proved motion. A click on a row shows the step. Rows can be dragged, locked and moved by hand.</source>
-        <translation>L&apos;ordre dans lequel les pièces du produit sortent, chacune par un mouvement prouvé. Un clic sur une ligne montre l&apos;étape. Une étape peut être déplacée, verrouillée ou faite à la main.</translation>
+        <source>In which order the parts of the product are removed, each with a certified motion. A click on a row shows the step. Rows can be dragged, locked and moved by hand.</source>
+        <translation>L&apos;ordre dans lequel les pièces du produit se démontent, chacune par un mouvement certifié. Un clic sur une ligne montre l&apos;étape. Une étape peut être déplacée, verrouillée ou faite à la main.</translation>
     </message>
     <message>
         <source>Why no path was found: where the trees come nearest, which body stands between them, and how much is missing.</source>
@@ -11667,8 +11871,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Nom du corps. La case l&apos;affiche ou le masque.</translation>
     </message>
     <message>
-        <source>Moved: the object. Static bodies stay; mobile bodies can be moved out of the way by a person.</source>
-        <translation>Objet&#xa0;: le corps qui bouge. Les corps statiques restent en place&#xa0;; une personne peut écarter les corps mobiles.</translation>
+        <source>Moving part, static body, or mobile body. A static body keeps its place; a person can move a mobile one out of the way.</source>
+        <translation>Pièce manipulée, corps statique ou corps mobile. Un corps statique garde sa place&#xa0;; une personne peut écarter un corps mobile.</translation>
     </message>
     <message>
         <source>How many triangles its surface has.</source>
@@ -11711,7 +11915,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Le second corps de la paire.</translation>
     </message>
     <message>
-        <source>By how much the object is taken thinner against the other body.</source>
+        <source>By how much the object is thinner against the other body.</source>
         <translation>Amincissement de l&apos;objet face à l&apos;autre corps.</translation>
     </message>
     <message>
@@ -11739,16 +11943,16 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Nom du chemin. La case l&apos;affiche ou le masque.</translation>
     </message>
     <message>
-        <source>Whether the path holds in the present arrangement.</source>
-        <translation>Validité du chemin dans la disposition actuelle.</translation>
+        <source>Whether the path is certified in the present arrangement.</source>
+        <translation>Si le chemin est certifié dans la disposition actuelle.</translation>
     </message>
     <message>
         <source>The smallest distance to other bodies along the path.</source>
         <translation>La plus petite distance aux autres corps le long du chemin.</translation>
     </message>
     <message>
-        <source>The length of the way of the reference point.</source>
-        <translation>Longueur du trajet du point de référence.</translation>
+        <source>The length of the path of the reference point.</source>
+        <translation>Longueur du chemin du point de référence.</translation>
     </message>
     <message>
         <source>By how much the object turns along the path.</source>
@@ -11771,20 +11975,20 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Le numéro de l&apos;étape.</translation>
     </message>
     <message>
-        <source>The part that leaves or is put in, and the kind of its motion.</source>
-        <translation>La pièce qui sort ou qui est montée, et le type de son mouvement.</translation>
+        <source>The part that is removed or assembled, and the kind of its motion.</source>
+        <translation>La pièce démontée ou montée, et le type de son mouvement.</translation>
     </message>
     <message>
         <source>The smallest distance to other parts, and the largest allowance.</source>
         <translation>La plus petite distance aux autres pièces, et le plus grand amincissement.</translation>
     </message>
     <message>
-        <source>The tool that turns a fastener, and which parts have to be held.</source>
-        <translation>L&apos;outil qui tourne une fixation, et les pièces à tenir.</translation>
+        <source>The tool that turns a fastener, and which parts need support.</source>
+        <translation>L&apos;outil qui tourne une fixation, et les pièces à maintenir.</translation>
     </message>
     <message>
-        <source>Whether the independent check agrees, and what the step does not keep.</source>
-        <translation>Résultat de la vérification indépendante, et ce que l&apos;étape ne respecte pas.</translation>
+        <source>Whether the independent check agrees, and which constraints the step violates.</source>
+        <translation>Accord de la vérification indépendante, et contraintes que l&apos;étape ne respecte pas.</translation>
     </message>
     <message>
         <source>The place that was examined.</source>
@@ -11847,8 +12051,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Comment les corps sont liés&#xa0;: vis, écrous, inserts, goupilles, unités. Le menu d&apos;une ligne confirme ou supprime des liaisons. Les plans d&apos;assemblage les respectent.</translation>
     </message>
     <message>
-        <source>The body that leaves: the screw, the nut, the insert, the pin.</source>
-        <translation>Le corps qui sort&#xa0;: la vis, l&apos;écrou, l&apos;insert, la goupille.</translation>
+        <source>The body that is removed: the screw, the nut, the insert, the pin.</source>
+        <translation>Le corps démonté&#xa0;: la vis, l&apos;écrou, l&apos;insert, la goupille.</translation>
     </message>
     <message>
         <source>What it is joined with, and what it clamps.</source>
@@ -11859,8 +12063,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>La désignation ou la taille du filetage, et les tours jusqu&apos;à ce qu&apos;il soit libre.</translation>
     </message>
     <message>
-        <source>Recognised by shape, suggested by name or class, or decided by you. A (?) marks doubt.</source>
-        <translation>Reconnue à la forme, proposée d&apos;après le nom ou la classe, ou décidée par vous. Un (?) signale un doute.</translation>
+        <source>Recognised by shape, suggested by name or class, or user-defined. A (?) marks doubt.</source>
+        <translation>Reconnue à la forme, proposée par le nom ou la classe, ou définie par l&apos;utilisateur. Un (?) marque un doute.</translation>
     </message>
     <message>
         <source>How they are joined: screw, nut, thread, insert, pin, snap, flexible, permanent, unit.</source>
@@ -11877,15 +12081,15 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
 <context>
     <name>glissade::AccessController</name>
     <message>
-        <source>The access of the hand was not checked</source>
+        <source>Hand access was not checked</source>
         <translation>L&apos;accès de la main n&apos;a pas été vérifié</translation>
     </message>
     <message>
-        <source>Hand (%1): %2 of %3 steps are reached and seen; sampled, no proof</source>
-        <translation>Main (%1) : %2 étapes sur %3 sont accessibles et visibles ; par échantillons, sans preuve</translation>
+        <source>Hand (%1): %2 of %3 steps are reachable and visible; sampled, no proof</source>
+        <translation>Main (%1)&#xa0;: %2 étapes sur %3 sont accessibles et visibles&#xa0;; par échantillons, sans preuve</translation>
     </message>
     <message>
-        <source>Checking the access of the hand</source>
+        <source>Checking hand access</source>
         <translation>Vérification de l&apos;accès de la main</translation>
     </message>
     <message>
@@ -11893,55 +12097,55 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Main (%1) : %2 ; par échantillons, sans preuve</translation>
     </message>
     <message>
-        <source>The hand reaches all steps</source>
-        <translation>La main accède à toutes les étapes</translation>
+        <source>Hand access to all steps</source>
+        <translation>Accès de la main à toutes les étapes</translation>
     </message>
 </context>
 <context>
     <name>glissade::AccessTexts</name>
     <message>
-        <source>The hand gets there, and pushes at the end</source>
-        <translation>La main passe, et pousse à la fin</translation>
+        <source>The hand reaches the work, and pushes at the end</source>
+        <translation>La main accède au travail, et pousse à la fin</translation>
     </message>
     <message>
-        <source>The hand gets there</source>
-        <translation>La main passe</translation>
+        <source>The hand reaches the work</source>
+        <translation>La main accède au travail</translation>
     </message>
     <message>
-        <source>No place of the part fits into one hand</source>
-        <translation>Aucun endroit de la pièce ne tient dans une main</translation>
+        <source>No grasp by one hand was found</source>
+        <translation>Aucune prise d&apos;une main n&apos;a été trouvée</translation>
     </message>
     <message>
-        <source>The hand was not asked</source>
-        <translation>La main n&apos;a pas été vérifiée</translation>
+        <source>Hand access was not checked</source>
+        <translation>L&apos;accès de la main n&apos;a pas été vérifié</translation>
     </message>
     <message>
-        <source>The hand is blocked at %1 % of the way from the place</source>
-        <translation>La main est bloquée à %1 % du trajet depuis l&apos;endroit</translation>
+        <source>The hand is blocked at %1 % of the motion</source>
+        <translation>La main est bloquée à %1 % du mouvement</translation>
     </message>
     <message>
-        <source>The hand is blocked by %1, %2 % of the way from the place</source>
-        <translation>La main est bloquée par %1, à %2 % du trajet depuis l&apos;endroit</translation>
+        <source>The hand is blocked by %1 at %2 % of the motion</source>
+        <translation>La main est bloquée par %1 à %2 % du mouvement</translation>
     </message>
     <message>
-        <source>%1 % of the place is seen</source>
-        <translation>%1 % de l&apos;endroit est visible</translation>
+        <source>%1 % of the work is visible</source>
+        <translation>%1 % du travail est visible</translation>
     </message>
     <message>
         <source>%1, hidden by %2</source>
         <translation>%1, caché par %2</translation>
     </message>
     <message>
-        <source>no hand</source>
-        <translation>inaccessible</translation>
+        <source>no grasp</source>
+        <translation>sans prise</translation>
     </message>
     <message>
-        <source>reached</source>
+        <source>reachable</source>
         <translation>accessible</translation>
     </message>
     <message>
-        <source>not seen</source>
-        <translation>pas visible</translation>
+        <source>not visible</source>
+        <translation>non visible</translation>
     </message>
     <message>
         <source>5th percentile of women</source>
@@ -12015,24 +12219,24 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>C&apos;est une surface libre : elle n&apos;a ni plan ni axe.</translation>
     </message>
     <message>
-        <source>This is what moves. Click another body. Esc ends this.</source>
-        <translation>C&apos;est ce qui bouge. Cliquer un autre corps. Échap termine.</translation>
+        <source>This is the moving part. Click another body. Esc ends this.</source>
+        <translation>C&apos;est la pièce manipulée. Cliquer un autre corps. Échap termine.</translation>
     </message>
     <message>
         <source>Click to align: %1 with %2 of %3, %4. Esc ends this.</source>
         <translation>Cliquer pour aligner : %1 avec %2 de %3, %4. Échap termine.</translation>
     </message>
     <message>
-        <source>Click what moves: %1 of %2. Esc ends this.</source>
-        <translation>Cliquer ce qui bouge : %1 de %2. Échap termine.</translation>
+        <source>Click the moving part: %1 of %2. Esc ends this.</source>
+        <translation>Cliquer la pièce manipulée&#xa0;: %1 de %2. Échap termine.</translation>
     </message>
     <message>
         <source>Click the vertex, edge or face of another body that it goes onto. Esc ends this.</source>
         <translation>Cliquer le sommet, l&apos;arête ou la face d&apos;un autre corps sur lequel il va. Échap termine.</translation>
     </message>
     <message>
-        <source>Click a vertex, an edge or a face of what moves. Esc ends this.</source>
-        <translation>Cliquer un sommet, une arête ou une face de ce qui bouge. Échap termine.</translation>
+        <source>Click a vertex, an edge or a face of the moving part. Esc ends this.</source>
+        <translation>Cliquer un sommet, une arête ou une face de la pièce manipulée. Échap termine.</translation>
     </message>
     <message>
         <source>cone</source>
@@ -12116,8 +12320,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Rechercher des corps</translation>
     </message>
     <message>
-        <source>Goal out</source>
-        <translation>But&#xa0;: dehors</translation>
+        <source>Goal: removed</source>
+        <translation>But&#xa0;: démonté</translation>
     </message>
     <message>
         <source>Fit the workspace</source>
@@ -12136,28 +12340,28 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Retirer des corps</translation>
     </message>
     <message>
-        <source>%1 moves</source>
-        <translation>%1 devient l&apos;objet</translation>
+        <source>Moving part: %1</source>
+        <translation>Pièce manipulée&#xa0;: %1</translation>
     </message>
     <message>
-        <source>Start and goal are clear of all bodies.</source>
-        <translation>Le départ et le but sont à l&apos;écart de tous les corps.</translation>
+        <source>Start and goal have no collisions.</source>
+        <translation>Le départ et le but sont sans collision.</translation>
     </message>
     <message>
-        <source>Clear start and goal</source>
-        <translation>Dégager départ et but</translation>
+        <source>Resolve start and goal collisions</source>
+        <translation>Résoudre les collisions du départ et du but</translation>
     </message>
     <message>
-        <source>Clear of all bodies: %1</source>
-        <translation>À l&apos;écart de tous les corps&#xa0;: %1</translation>
+        <source>Collisions resolved: %1</source>
+        <translation>Collisions résolues&#xa0;: %1</translation>
     </message>
     <message>
-        <source>This cannot be done</source>
+        <source>Not possible</source>
         <translation>Opération impossible</translation>
     </message>
     <message>
-        <source>Moving the ends clear</source>
-        <translation>Dégagement du départ et du but</translation>
+        <source>Resolving start and goal collisions</source>
+        <translation>Résolution des collisions du départ et du but</translation>
     </message>
     <message>
         <source>the goal was moved by %1</source>
@@ -12168,22 +12372,22 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>le départ a été déplacé de %1</translation>
     </message>
     <message>
-        <source>Leave out %1</source>
-        <translation>Écarter %1</translation>
+        <source>Exclude %1</source>
+        <translation>Exclure %1</translation>
     </message>
     <message>
-        <source>Leave bodies out</source>
-        <translation>Écarter des corps</translation>
+        <source>Exclude bodies</source>
+        <translation>Exclure des corps</translation>
     </message>
     <message>
-        <source>Put back</source>
-        <translation>Remettre</translation>
+        <source>Include bodies</source>
+        <translation>Inclure des corps</translation>
     </message>
     <message numerus="yes">
-        <source>%1 and %n more move</source>
+        <source>Moving part: %1 and %n more</source>
         <translation>
-            <numerusform>%1 et %n autre bougent</numerusform>
-            <numerusform>%1 et %n autres bougent</numerusform>
+            <numerusform>Pièce manipulée&#xa0;: %1 et %n autre</numerusform>
+            <numerusform>Pièce manipulée&#xa0;: %1 et %n autres</numerusform>
         </translation>
     </message>
 </context>
@@ -12210,12 +12414,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>le passage est ouvert.</translation>
     </message>
     <message>
-        <source>the object is at most %1 too large at &apos;%2&apos;.</source>
-        <translation>l&apos;objet est trop gros de %1 au plus, près de «&#xa0;%2&#xa0;».</translation>
+        <source>needs up to %1 more room at %2.</source>
+        <translation>il faut jusqu&apos;à %1 de place en plus contre %2.</translation>
     </message>
     <message>
-        <source>the object is at most %1 too large.</source>
-        <translation>l&apos;objet est trop gros de %1 au plus.</translation>
+        <source>needs up to %1 more room.</source>
+        <translation>il faut jusqu&apos;à %1 de place en plus.</translation>
     </message>
     <message>
         <source>Lead it along the arrow; %1: next place.</source>
@@ -12374,7 +12578,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>contact</translation>
     </message>
     <message>
-        <source>Computer: random configurations. Operator: where he held the object. Contact: shot on the tangent plane of his nearest obstacle.</source>
+        <source>Computer: random configurations. Operator: where he held the object. Contact: drawn on the tangent plane of his nearest obstacle.</source>
         <translation>Ordinateur&#xa0;: configurations aléatoires. Opérateur&#xa0;: positions où il tenait l&apos;objet. Contact&#xa0;: tirées sur le plan tangent de l&apos;obstacle le plus proche.</translation>
     </message>
 </context>
@@ -12636,8 +12840,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
 <context>
     <name>glissade::ColourButton</name>
     <message>
-        <source>As the theme</source>
-        <translation>Couleur du thème</translation>
+        <source>Follow theme</source>
+        <translation>Suivre le thème</translation>
     </message>
 </context>
 <context>
@@ -12647,12 +12851,16 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Trouver une commande</translation>
     </message>
     <message>
-        <source>Part of a command&apos;s name</source>
-        <translation>Partie du nom d&apos;une commande</translation>
+        <source>Part of a command&apos;s name, or another word for it</source>
+        <translation>Partie du nom d&apos;une commande, ou mot de même sens</translation>
     </message>
     <message>
         <source>Commands</source>
         <translation>Commandes</translation>
+    </message>
+    <message>
+        <source>No command found for &quot;%1&quot;.</source>
+        <translation>Aucune commande trouvée pour «&#xa0;%1&#xa0;».</translation>
     </message>
 </context>
 <context>
@@ -12662,8 +12870,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>interférence acceptée, %1</translation>
     </message>
     <message>
-        <source>Proof</source>
-        <translation>Preuve</translation>
+        <source>Certificate</source>
+        <translation>Certificat</translation>
     </message>
     <message>
         <source>Strategy</source>
@@ -12678,8 +12886,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Plus petit jeu</translation>
     </message>
     <message>
-        <source>Proved clearance</source>
-        <translation>Jeu prouvé</translation>
+        <source>Certified clearance</source>
+        <translation>Jeu certifié</translation>
     </message>
     <message>
         <source>Required clearance</source>
@@ -12780,7 +12988,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Configurations de contact</translation>
     </message>
     <message>
-        <source>Shot on tangent planes, kept or not</source>
+        <source>Drawn on tangent planes, kept or not</source>
         <translation>Tirées sur les plans tangents, conservées ou non</translation>
     </message>
     <message>
@@ -12800,7 +13008,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Mode contact</translation>
     </message>
     <message>
-        <source>On while contact samples are shot</source>
+        <source>On while contact samples are drawn</source>
         <translation>Actif pendant le tirage des échantillons de contact</translation>
     </message>
     <message>
@@ -12905,7 +13113,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Corps le plus proche</translation>
     </message>
     <message>
-        <source>Place on the way of least penetration</source>
+        <source>Place on the path of least penetration</source>
         <translation>Position sur le chemin de moindre pénétration</translation>
     </message>
     <message>
@@ -12925,7 +13133,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Montre l&apos;objet à cet endroit</translation>
     </message>
     <message>
-        <source>There is a way if the object may overlap &lt;b&gt;%2&lt;/b&gt; by &lt;b&gt;%1&lt;/b&gt;.</source>
+        <source>There is a path if the object may overlap &lt;b&gt;%2&lt;/b&gt; by &lt;b&gt;%1&lt;/b&gt;.</source>
         <translation>Il existe un chemin si l&apos;objet peut recouvrir &lt;b&gt;%2&lt;/b&gt; de &lt;b&gt;%1&lt;/b&gt;.</translation>
     </message>
     <message>
@@ -12941,7 +13149,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Causes de l&apos;absence de chemin</translation>
     </message>
     <message>
-        <source>Your hand may find the way.</source>
+        <source>Your hand may find the path.</source>
         <translation>Votre main trouvera peut-être le chemin.</translation>
     </message>
     <message>
@@ -13008,20 +13216,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>des modifications</translation>
     </message>
     <message>
-        <source>the path that was found</source>
+        <source>the path found</source>
         <translation>le chemin trouvé</translation>
     </message>
     <message>
         <source>the assembly plan</source>
         <translation>le plan d&apos;assemblage</translation>
-    </message>
-    <message>
-        <source>Not saved yet: %1.</source>
-        <translation>Pas encore enregistré&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>Save keeps all of it in the scenario.</source>
-        <translation>Enregistrer conserve tout dans le scénario.</translation>
     </message>
     <message>
         <source>Open re&amp;cent</source>
@@ -13072,10 +13272,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Le scénario a été enregistré, avec un avertissement</translation>
     </message>
     <message>
-        <source>Save the scenario?</source>
-        <translation>Enregistrer le scénario&#xa0;?</translation>
-    </message>
-    <message>
         <source>End what is under way?</source>
         <translation>Interrompre le travail en cours ?</translation>
     </message>
@@ -13091,6 +13287,18 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <source>&amp;End it</source>
         <translation>&amp;Interrompre</translation>
     </message>
+    <message>
+        <source>Save changes?</source>
+        <translation>Enregistrer les modifications&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Save changes to &quot;%1&quot;?</source>
+        <translation>Enregistrer les modifications de «&#xa0;%1&#xa0;»&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Not saved: %1.</source>
+        <translation>Non enregistré&#xa0;: %1.</translation>
+    </message>
 </context>
 <context>
     <name>glissade::FilmJob</name>
@@ -13102,24 +13310,24 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
 <context>
     <name>glissade::FinenessBox</name>
     <message>
-        <source>Fineness of STEP surfaces</source>
-        <translation>Finesse des surfaces STEP</translation>
+        <source>Mesh tolerance of STEP files</source>
+        <translation>Tolérance de maillage des fichiers STEP</translation>
     </message>
     <message>
-        <source>By how much triangles may be off the surfaces of STEP files. Finer ones allow smaller gaps and take longer; by its size, a part has a thousandth of its diagonal, from 0.01 to 0.5 mm</source>
-        <translation>Écart possible entre les triangles et les surfaces des fichiers STEP. Des triangles plus fins permettent des écarts plus petits entre les pièces et prennent plus de temps ; selon sa taille, une pièce a un millième de sa diagonale, de 0,01 à 0,5 mm</translation>
+        <source>How far triangles may be off the surfaces of STEP files. A finer tolerance allows smaller gaps and takes longer; automatic: a thousandth of the diagonal of each part, from 0.01 to 0.5 mm</source>
+        <translation>Écart maximal entre les triangles et les surfaces des fichiers STEP. Une tolérance plus fine permet des écarts plus petits entre les pièces et prend plus de temps&#xa0;; automatique&#xa0;: un millième de la diagonale de chaque pièce, de 0,01 à 0,5 mm</translation>
     </message>
     <message>
         <source> mm</source>
         <translation> mm</translation>
     </message>
     <message>
-        <source>STEP within </source>
-        <translation>STEP à ± </translation>
+        <source>Mesh tolerance: </source>
+        <translation>Tolérance de maillage&#xa0;: </translation>
     </message>
     <message>
-        <source>STEP by size</source>
-        <translation>STEP selon la taille</translation>
+        <source>Mesh tolerance: automatic</source>
+        <translation>Tolérance de maillage&#xa0;: automatique</translation>
     </message>
 </context>
 <context>
@@ -13156,16 +13364,16 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
 <context>
     <name>glissade::FitsPanel</name>
     <message>
-        <source>%1 is taken without what overlaps, up to %2 deep</source>
-        <translation>%1 est pris sans ce qui le recouvre, jusqu&apos;à %2 de profondeur</translation>
+        <source>%1 without what overlaps, up to %2 deep</source>
+        <translation>%1 sans ce qui le recouvre, jusqu&apos;à %2 de profondeur</translation>
     </message>
     <message>
-        <source>%1 is taken %2 thinner</source>
-        <translation>%1 est amincie de %2</translation>
+        <source>Allowance of %1: %2</source>
+        <translation>Amincissement de %1&#xa0;: %2</translation>
     </message>
     <message>
-        <source>Both bodies are taken as they are</source>
-        <translation>Les deux corps sont pris tels quels</translation>
+        <source>No allowance for either body</source>
+        <translation>Aucun amincissement pour les deux corps</translation>
     </message>
     <message>
         <source>clear</source>
@@ -13495,36 +13703,36 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
 <context>
     <name>glissade::HeadsetController</name>
     <message>
-        <source>The headset is searched</source>
-        <translation>Le casque est cherché</translation>
+        <source>Searching for a headset</source>
+        <translation>Recherche d&apos;un casque</translation>
     </message>
     <message>
-        <source>A headset needs an X display with OpenGL, and there is none. It is tried again</source>
-        <translation>Un casque demande un écran X avec OpenGL, et il n&apos;y en a pas. L&apos;essai est répété</translation>
+        <source>A headset needs an X display with OpenGL, and there is none. Retrying</source>
+        <translation>Un casque demande un écran X avec OpenGL, et il n&apos;y en a pas. La recherche continue</translation>
     </message>
     <message>
-        <source>No OpenXR runtime answers. Start the program of your headset; it is tried again</source>
-        <translation>Aucun moteur OpenXR ne répond. Démarrez le programme de votre casque ; l&apos;essai est répété</translation>
+        <source>No OpenXR runtime answers. Start the program of your headset. Retrying</source>
+        <translation>Aucun moteur OpenXR ne répond. Démarrez le programme de votre casque. La recherche continue</translation>
     </message>
     <message>
-        <source>The OpenXR runtime takes no pictures by OpenGL. Choose another one; it is tried again</source>
-        <translation>Le moteur OpenXR ne prend pas d&apos;images par OpenGL. Choisissez-en un autre ; l&apos;essai est répété</translation>
+        <source>The OpenXR runtime takes no pictures by OpenGL. Choose another one. Retrying</source>
+        <translation>Le moteur OpenXR ne prend pas d&apos;images par OpenGL. Choisissez-en un autre. La recherche continue</translation>
     </message>
     <message>
-        <source>No headset is connected. Connect one; it is tried again</source>
-        <translation>Aucun casque n&apos;est branché. Branchez-en un ; l&apos;essai est répété</translation>
+        <source>No headset is connected. Connect one. Retrying</source>
+        <translation>Aucun casque n&apos;est branché. Branchez-en un. La recherche continue</translation>
     </message>
     <message>
-        <source>The headset was lost. Nothing else is lost, and it is searched again</source>
-        <translation>Le casque est perdu. Rien d&apos;autre n&apos;est perdu, et il est cherché à nouveau</translation>
+        <source>The headset was lost. Nothing else is lost. Searching again</source>
+        <translation>Le casque est perdu. Rien d&apos;autre n&apos;est perdu. La recherche continue</translation>
     </message>
     <message>
-        <source>The OpenXR runtime has ended. Nothing else is lost, and it is searched again</source>
-        <translation>Le moteur OpenXR s&apos;est arrêté. Rien d&apos;autre n&apos;est perdu, et il est cherché à nouveau</translation>
+        <source>The OpenXR runtime has ended. Nothing else is lost. Searching again</source>
+        <translation>Le moteur OpenXR s&apos;est arrêté. Rien d&apos;autre n&apos;est perdu. La recherche continue</translation>
     </message>
     <message>
-        <source>The headset does not work: %1. It is tried again</source>
-        <translation>Le casque ne fonctionne pas : %1. L&apos;essai est répété</translation>
+        <source>The headset does not work: %1. Retrying</source>
+        <translation>Le casque ne fonctionne pas&#xa0;: %1. La recherche continue</translation>
     </message>
     <message>
         <source>The headset %1 is connected. Put it on</source>
@@ -13657,8 +13865,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Graine</translation>
     </message>
     <message>
-        <source>Authority now</source>
-        <translation>Autorité actuelle</translation>
+        <source>Computer share now</source>
+        <translation>Part actuelle de l&apos;ordinateur</translation>
     </message>
     <message>
         <source>computer</source>
@@ -13716,16 +13924,16 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Type</translation>
     </message>
     <message>
-        <source>Body that leaves</source>
-        <translation>Corps qui sort</translation>
+        <source>Removed body</source>
+        <translation>Corps démonté</translation>
     </message>
     <message>
         <source>Clamps</source>
         <translation>Serre</translation>
     </message>
     <message>
-        <source>Leaves along</source>
-        <translation>Sort selon</translation>
+        <source>Removed along</source>
+        <translation>Démonté selon</translation>
     </message>
     <message>
         <source>Thread diameter</source>
@@ -13865,7 +14073,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Comparaison des chemins</translation>
     </message>
     <message>
-        <source>This cannot be done with the path</source>
+        <source>Not possible with this path</source>
         <translation>Opération impossible avec ce chemin</translation>
     </message>
 </context>
@@ -13876,48 +14084,48 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>interférence acceptée avec %1, profonde de %2</translation>
     </message>
     <message>
-        <source>taken %1 thinner against %2</source>
-        <translation>aminci de %1 face à %2</translation>
+        <source>Allowance: %1 on %2</source>
+        <translation>Amincissement&#xa0;: %1 face à %2</translation>
     </message>
     <message>
-        <source>%1 taken %2 thinner</source>
-        <translation>amincissement de %2 de %1</translation>
+        <source>Allowance: %2 on %1, which gives way</source>
+        <translation>Amincissement&#xa0;: %2 sur %1, qui cède</translation>
     </message>
     <message>
-        <source>The path is proved again in the background.</source>
-        <translation>Le chemin est prouvé de nouveau en arrière-plan.</translation>
+        <source>The path is certified again in the background.</source>
+        <translation>Le chemin est certifié de nouveau en arrière-plan.</translation>
     </message>
     <message>
         <source>Certified again in the scenario as it is now.</source>
         <translation>Certifié de nouveau dans le scénario actuel.</translation>
     </message>
     <message>
-        <source>Not proved: the scenario was changed, and a body is in the way.</source>
-        <translation>Non prouvé&#xa0;: le scénario a changé, et un corps fait obstacle.</translation>
+        <source>Not certified: the scenario was changed, and a body is in the way.</source>
+        <translation>Non certifié&#xa0;: le scénario a changé, et un corps fait obstacle.</translation>
     </message>
     <message>
-        <source>Free of penetration, but it does not lead from the start to the goal any more.</source>
+        <source>Free of penetration, but it no longer leads from the start pose to the goal pose.</source>
         <translation>Sans pénétration, mais il ne mène plus du départ au but.</translation>
     </message>
     <message>
-        <source>Not proved: another object moves now.</source>
-        <translation>Non prouvé&#xa0;: l&apos;objet n&apos;est plus le même.</translation>
+        <source>Not certified: another body is the moving part now.</source>
+        <translation>Non certifié&#xa0;: un autre corps est maintenant la pièce manipulée.</translation>
     </message>
     <message>
-        <source>proved %1, required %2</source>
-        <translation>prouvé %1, exigé %2</translation>
+        <source>certified %1, required %2</source>
+        <translation>certifié %1, exigé %2</translation>
     </message>
     <message>
         <source>unknown</source>
         <translation>inconnue</translation>
     </message>
     <message>
-        <source>not proved yet</source>
-        <translation>pas encore prouvé</translation>
+        <source>not certified yet</source>
+        <translation>pas encore certifié</translation>
     </message>
     <message>
-        <source>proved</source>
-        <translation>prouvé</translation>
+        <source>certified</source>
+        <translation>certifié</translation>
     </message>
     <message>
         <source>blocked</source>
@@ -13940,8 +14148,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Nom</translation>
     </message>
     <message>
-        <source>Proof</source>
-        <translation>Preuve</translation>
+        <source>Certificate</source>
+        <translation>Certificat</translation>
     </message>
     <message>
         <source>Clearance</source>
@@ -14030,8 +14238,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
 <context>
     <name>glissade::LegendOverlay</name>
     <message>
-        <source>Object that moves</source>
-        <translation>Objet qui bouge</translation>
+        <source>Moving part</source>
+        <translation>Pièce manipulée</translation>
     </message>
     <message>
         <source>Start</source>
@@ -14090,8 +14298,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Objet le long du chemin</translation>
     </message>
     <message>
-        <source>Path that does not hold</source>
-        <translation>Chemin qui n&apos;est plus valable</translation>
+        <source>Path no longer valid</source>
+        <translation>Chemin qui n&apos;est plus valide</translation>
     </message>
     <message>
         <source>Blocked part of the path</source>
@@ -14154,8 +14362,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Région de l&apos;étape</translation>
     </message>
     <message>
-        <source>In the way</source>
-        <translation>Gêne le passage</translation>
+        <source>Blocking body</source>
+        <translation>Corps bloquant</translation>
     </message>
     <message>
         <source>Tightest place</source>
@@ -14174,7 +14382,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Objet là où il recouvre</translation>
     </message>
     <message>
-        <source>Forbidden direction</source>
+        <source>Ruled-out direction</source>
         <translation>Direction interdite</translation>
     </message>
     <message>
@@ -14186,8 +14394,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Pièce de l&apos;étape</translation>
     </message>
     <message>
-        <source>Its way</source>
-        <translation>Son trajet</translation>
+        <source>Removal path</source>
+        <translation>Chemin de démontage</translation>
     </message>
     <message>
         <source>Your hand</source>
@@ -14198,8 +14406,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Où votre main est utile</translation>
     </message>
     <message>
-        <source>Hand that gets there</source>
-        <translation>Main qui passe</translation>
+        <source>Hand with access</source>
+        <translation>Main qui accède</translation>
     </message>
     <message>
         <source>Hand that is blocked</source>
@@ -14303,7 +14511,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Difficulté</translation>
     </message>
     <message>
-        <source>This cannot be done</source>
+        <source>Not possible</source>
         <translation>Opération impossible</translation>
     </message>
     <message>
@@ -14715,16 +14923,16 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Axe vertical de %1</translation>
     </message>
     <message>
-        <source>Moves</source>
-        <translation>Bouge</translation>
+        <source>Moving part</source>
+        <translation>Pièce manipulée</translation>
     </message>
     <message>
         <source>Static</source>
         <translation>Statique</translation>
     </message>
     <message>
-        <source>Stays where it is</source>
-        <translation>Reste en place</translation>
+        <source>Does not move</source>
+        <translation>Ne bouge pas</translation>
     </message>
     <message>
         <source>Mobile</source>
@@ -14767,8 +14975,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Ajoutez les fichiers des pièces.</translation>
     </message>
     <message>
-        <source>Choose the part that moves.</source>
-        <translation>Choisissez la pièce qui bouge.</translation>
+        <source>Choose the moving part.</source>
+        <translation>Choisissez la pièce manipulée.</translation>
     </message>
     <message>
         <source>Meshes (STL, OBJ, Collada, glTF), STEP or URDF files</source>
@@ -14811,12 +15019,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Ce que la pièce est dans le scénario&#xa0;; toutes les lignes sélectionnées ensemble</translation>
     </message>
     <message>
-        <source>The part whose motion is looked for; several move as one</source>
-        <translation>La pièce dont on cherche le mouvement&#xa0;; plusieurs bougent ensemble</translation>
+        <source>The part whose path is planned; several move as one</source>
+        <translation>La pièce dont on planifie le chemin&#xa0;; plusieurs bougent ensemble</translation>
     </message>
     <message>
-        <source>&amp;Groups and solids are parts</source>
-        <translation>&amp;Groupes et solides sont des pièces</translation>
+        <source>Split OBJ &amp;groups and solids</source>
+        <translation>Diviser &amp;groupes OBJ et solides</translation>
     </message>
     <message>
         <source>Takes each group of an OBJ file, and each solid of a CAD part of several, as a part of its own</source>
@@ -14874,7 +15082,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Le chemin a été enregistré sous %1</translation>
     </message>
     <message>
-        <source>This cannot be done with the path</source>
+        <source>Not possible with this path</source>
         <translation>Opération impossible avec ce chemin</translation>
     </message>
 </context>
@@ -14929,28 +15137,28 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Longueur par auteur</translation>
     </message>
     <message>
-        <source>proved %1, required %2</source>
-        <translation>prouvé %1, exigé %2</translation>
+        <source>certified %1, required %2</source>
+        <translation>certifié %1, exigé %2</translation>
     </message>
     <message>
         <source>required %1</source>
         <translation>exigé %1</translation>
     </message>
     <message>
-        <source>It does not begin at the start.</source>
-        <translation>Il ne commence pas au départ.</translation>
+        <source>It no longer starts at the start pose.</source>
+        <translation>Il ne commence plus à la position de départ.</translation>
     </message>
     <message>
-        <source>It does not end at the goal.</source>
-        <translation>Il ne finit pas au but.</translation>
+        <source>It no longer ends at the goal pose.</source>
+        <translation>Il ne finit plus à la position de but.</translation>
     </message>
     <message>
         <source>It leaves the workspace at configuration %1.</source>
         <translation>Il quitte l&apos;espace de travail à la configuration %1.</translation>
     </message>
     <message>
-        <source>This path does not hold here</source>
-        <translation>Ce chemin n&apos;est pas valide ici</translation>
+        <source>This path is no longer valid</source>
+        <translation>Ce chemin n&apos;est plus valide</translation>
     </message>
     <message>
         <source>%1 or more from forbidden places</source>
@@ -14965,24 +15173,24 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>sans les formes qui n&apos;ont pas été lues, dont on ne sait rien&#xa0;: %1</translation>
     </message>
     <message>
-        <source>of triangles, within ± %1 of the CAD surfaces</source>
-        <translation>pour des triangles, à ± %1 des surfaces CAO</translation>
+        <source>CAD accuracy ± %1</source>
+        <translation>précision CAO ± %1</translation>
     </message>
     <message>
-        <source>taken %1 thinner against %2</source>
-        <translation>aminci de %1 face à %2</translation>
+        <source>Allowance: %1 on %2</source>
+        <translation>Amincissement&#xa0;: %1 face à %2</translation>
     </message>
     <message>
-        <source>%1 taken %2 thinner</source>
-        <translation>amincissement de %2 de %1</translation>
+        <source>Allowance: %2 on %1, which gives way</source>
+        <translation>Amincissement&#xa0;: %2 sur %1, qui cède</translation>
     </message>
     <message>
         <source>(thread), pitch %1, %2 turns</source>
         <translation>(filetage), pas %1, %2 tours</translation>
     </message>
     <message>
-        <source>, as a person allows</source>
-        <translation>, comme une personne le permet</translation>
+        <source>, user-defined</source>
+        <translation>, défini par l&apos;utilisateur</translation>
     </message>
     <message numerus="yes">
         <source>%n of %1 edges slide</source>
@@ -15103,12 +15311,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
 <context>
     <name>glissade::PlanGraphView</name>
     <message>
-        <source>Order of the steps</source>
-        <translation>Ordre des étapes</translation>
+        <source>Precedence graph</source>
+        <translation>Graphe d&apos;antériorité</translation>
     </message>
     <message>
-        <source>An arrow leads from a step to each step that it makes way for</source>
-        <translation>Une flèche va d&apos;une étape à chaque étape qu&apos;elle libère</translation>
+        <source>An arrow leads from a step to each step that has to come after it</source>
+        <translation>Une flèche va d&apos;une étape à chaque étape qui doit la suivre</translation>
     </message>
 </context>
 <context>
@@ -15162,8 +15370,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>échec</translation>
     </message>
     <message>
-        <source>No way through the places.</source>
-        <translation>Aucun trajet par les lieux.</translation>
+        <source>No path through the places.</source>
+        <translation>Aucun chemin par les lieux.</translation>
     </message>
     <message>
         <source>Forbidden: %1.</source>
@@ -15213,16 +15421,16 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>&amp;Thème</translation>
     </message>
     <message>
-        <source>&amp;Size of texts</source>
-        <translation>Ta&amp;ille des textes</translation>
+        <source>Font &amp;size</source>
+        <translation>Ta&amp;ille de police</translation>
     </message>
     <message>
         <source>&amp;Navigation</source>
         <translation>&amp;Navigation</translation>
     </message>
     <message>
-        <source>As the desktop</source>
-        <translation>Comme le bureau</translation>
+        <source>Follow system</source>
+        <translation>Suivre le système</translation>
     </message>
     <message>
         <source> pt</source>
@@ -15289,12 +15497,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Ce qui n&apos;est pas enregistré est écrit dans le dossier de données du programme, pour être proposé après un arrêt brutal</translation>
     </message>
     <message>
-        <source>Light or dark, as the desktop was when the program started</source>
-        <translation>Clair ou sombre, comme le bureau au démarrage du programme</translation>
+        <source>Light or dark, as the system was when the program started</source>
+        <translation>Clair ou sombre, comme le système au démarrage du programme</translation>
     </message>
     <message>
-        <source>As the product&apos;s file; else µm, mm and m</source>
-        <translation>Celle du fichier du produit ; sinon µm, mm et m</translation>
+        <source>Follow product file; else µm, mm and m</source>
+        <translation>Suivre le fichier du produit&#xa0;; sinon µm, mm et m</translation>
     </message>
 </context>
 <context>
@@ -15376,7 +15584,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <name>glissade::RefusalController</name>
     <message>
         <source>The first leads through a forbidden place.</source>
-        <translation>La première traverse un lieu interdit.</translation>
+        <translation>Le premier traverse un lieu interdit.</translation>
     </message>
     <message>
         <source>&apos;%1&apos;: overlap %2</source>
@@ -15395,44 +15603,28 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Le calcul s&apos;est terminé sans chemin.</translation>
     </message>
     <message>
-        <source>The start is refused.</source>
-        <translation>Le départ est refusé.</translation>
+        <source>The start pose cannot be used.</source>
+        <translation>La position de départ est inutilisable.</translation>
     </message>
     <message>
-        <source>The goal is refused.</source>
-        <translation>Le but est refusé.</translation>
+        <source>The goal pose cannot be used.</source>
+        <translation>La position de but est inutilisable.</translation>
     </message>
     <message>
-        <source>The path does not hold here.</source>
-        <translation>Le chemin n&apos;est pas valide ici.</translation>
+        <source>The path is no longer valid.</source>
+        <translation>Le chemin n&apos;est plus valide.</translation>
     </message>
     <message>
         <source>The first is blocked by &apos;%1&apos;.</source>
         <translation>Le premier est bloqué par «&#xa0;%1&#xa0;».</translation>
     </message>
     <message>
-        <source>Its ends are not the start and the goal.</source>
-        <translation>Ses extrémités ne sont pas le départ et le but.</translation>
+        <source>It no longer leads from the start pose to the goal pose.</source>
+        <translation>Il ne mène plus de la position de départ à celle du but.</translation>
     </message>
     <message>
-        <source>Start and goal are allowed now. Press Find path (F5).</source>
-        <translation>Le départ et le but sont maintenant admis. Appuyez sur Chercher un chemin (F5).</translation>
-    </message>
-    <message>
-        <source>The start is refused: &apos;%1&apos; overlaps or touches what is there.</source>
-        <translation>Le départ est refusé&#xa0;: «&#xa0;%1&#xa0;» recouvre ou touche d&apos;autres corps.</translation>
-    </message>
-    <message>
-        <source>The start is refused: &apos;%1&apos; is nearer than the required clearance.</source>
-        <translation>Le départ est refusé&#xa0;: «&#xa0;%1&#xa0;» est plus près que le jeu exigé.</translation>
-    </message>
-    <message>
-        <source>The goal is refused: &apos;%1&apos; overlaps or touches what is there.</source>
-        <translation>Le but est refusé&#xa0;: «&#xa0;%1&#xa0;» recouvre ou touche d&apos;autres corps.</translation>
-    </message>
-    <message>
-        <source>The goal is refused: &apos;%1&apos; is nearer than the required clearance.</source>
-        <translation>Le but est refusé&#xa0;: «&#xa0;%1&#xa0;» est plus près que le jeu exigé.</translation>
+        <source>Start and goal have no collisions now. Press Find path (F5).</source>
+        <translation>Le départ et le but sont maintenant sans collision. Appuyez sur Chercher un chemin (F5).</translation>
     </message>
     <message>
         <source>Allow as fits</source>
@@ -15455,6 +15647,30 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
             <numerusform>et %n autre</numerusform>
             <numerusform>et %n autres</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Start pose collides: &apos;%1&apos; overlaps %2 by %3.</source>
+        <translation>Collision au départ&#xa0;: «&#xa0;%1&#xa0;» recouvre %2 de %3.</translation>
+    </message>
+    <message>
+        <source>Goal pose collides: &apos;%1&apos; overlaps %2 by %3.</source>
+        <translation>Collision au but&#xa0;: «&#xa0;%1&#xa0;» recouvre %2 de %3.</translation>
+    </message>
+    <message>
+        <source>Start pose collides: &apos;%1&apos; touches or overlaps %2.</source>
+        <translation>Collision au départ&#xa0;: «&#xa0;%1&#xa0;» touche ou recouvre %2.</translation>
+    </message>
+    <message>
+        <source>Goal pose collides: &apos;%1&apos; touches or overlaps %2.</source>
+        <translation>Collision au but&#xa0;: «&#xa0;%1&#xa0;» touche ou recouvre %2.</translation>
+    </message>
+    <message>
+        <source>Start pose too close: &apos;%1&apos; is %2 away from %3, required %4.</source>
+        <translation>Départ trop proche&#xa0;: «&#xa0;%1&#xa0;» est à %2 de %3, exigé %4.</translation>
+    </message>
+    <message>
+        <source>Goal pose too close: &apos;%1&apos; is %2 away from %3, required %4.</source>
+        <translation>But trop proche&#xa0;: «&#xa0;%1&#xa0;» est à %2 de %3, exigé %4.</translation>
     </message>
 </context>
 <context>
@@ -15557,12 +15773,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>f&#xa0;: coût d&apos;une frontière entre les lieux a et b. Noms connus&#xa0;: %1</translation>
     </message>
     <message>
-        <source>g: what a way across a place costs. Known: %1</source>
+        <source>g: what a path across a place costs. Known: %1</source>
         <translation>g&#xa0;: coût de la traversée d&apos;un lieu. Noms connus&#xa0;: %1</translation>
     </message>
     <message>
-        <source>When a step fails, try the &amp;next best way</source>
-        <translation>Quand une étape échoue, essayer le &amp;meilleur trajet suivant</translation>
+        <source>When a step fails, try the &amp;next best path</source>
+        <translation>Quand une étape échoue, essayer le &amp;meilleur chemin suivant</translation>
     </message>
     <message>
         <source>&amp;Cross passages as the object fits best</source>
@@ -15577,8 +15793,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>&amp;Frontières&#xa0;: f =</translation>
     </message>
     <message>
-        <source>&amp;Ways: g =</source>
-        <translation>&amp;Trajets&#xa0;: g =</translation>
+        <source>Pa&amp;ths: g =</source>
+        <translation>C&amp;hemins&#xa0;: g =</translation>
     </message>
     <message>
         <source>Attributes</source>
@@ -15679,8 +15895,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
 <context>
     <name>glissade::RunCurves</name>
     <message>
-        <source>Nodes, authority and clearance over the time of planning</source>
-        <translation>Nœuds, autorité et jeu au cours du temps de planification</translation>
+        <source>Nodes, computer share and clearance over the time of planning</source>
+        <translation>Nœuds, part de l&apos;ordinateur et jeu au cours du temps de planification</translation>
     </message>
     <message>
         <source>Nodes of the roadmap, the computer&apos;s share α, and the distance of the object in the operator&apos;s hand to the nearest obstacle, over the time of planning</source>
@@ -15691,8 +15907,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Nœuds</translation>
     </message>
     <message>
-        <source>Authority α</source>
-        <translation>Autorité α</translation>
+        <source>Computer share α</source>
+        <translation>Part de l&apos;ordinateur α</translation>
     </message>
     <message>
         <source>Distance to the nearest obstacle</source>
@@ -15748,8 +15964,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Objet</translation>
     </message>
     <message>
-        <source>moved</source>
-        <translation>objet</translation>
+        <source>moving part</source>
+        <translation>pièce manipulée</translation>
     </message>
     <message>
         <source>start  %1</source>
@@ -15760,8 +15976,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>but  %1</translation>
     </message>
     <message>
-        <source>out</source>
-        <translation>dehors</translation>
+        <source>removed</source>
+        <translation>démonté</translation>
     </message>
     <message>
         <source>Obstacles</source>
@@ -15784,16 +16000,16 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Corps</translation>
     </message>
     <message>
-        <source>Within about %1 of the part&apos;s surface</source>
-        <translation>À environ %1 de la surface de la pièce</translation>
+        <source>CAD accuracy ± %1</source>
+        <translation>Précision CAO ± %1</translation>
     </message>
     <message>
-        <source>Left out</source>
-        <translation>Écartés</translation>
+        <source>Excluded</source>
+        <translation>Exclus</translation>
     </message>
     <message>
-        <source>left out</source>
-        <translation>écarté</translation>
+        <source>excluded</source>
+        <translation>exclu</translation>
     </message>
     <message>
         <source>%1: part of the product&apos;s file, and not of this product</source>
@@ -15819,8 +16035,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>« %1 » n&apos;est pas une position. Écrivez 10, 25,4 mm ou 1 in.</translation>
     </message>
     <message>
-        <source>Sections cut bodies open: across an axis, or along a face that is clicked. The object that moves stays whole.</source>
-        <translation>Les coupes ouvrent les corps : perpendiculairement à un axe, ou le long d&apos;une face que l&apos;on clique. L&apos;objet mobile reste entier.</translation>
+        <source>Sections cut bodies open: across an axis, or along a face that is clicked. The moving part stays whole.</source>
+        <translation>Les coupes ouvrent les corps&#xa0;: perpendiculairement à un axe, ou le long d&apos;une face que l&apos;on clique. La pièce manipulée reste entière.</translation>
     </message>
     <message>
         <source>Drag the arrows in the scene, or type a place such as 25.4 mm.</source>
@@ -15962,16 +16178,16 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Corps (%1)</translation>
     </message>
     <message>
-        <source>moved</source>
-        <translation>objet</translation>
+        <source>moving part</source>
+        <translation>pièce manipulée</translation>
     </message>
     <message>
         <source>Forbidden: no path leads through</source>
         <translation>Interdit&#xa0;: aucun chemin n&apos;y passe</translation>
     </message>
     <message>
-        <source>Preferred: ways through count %1 times shorter</source>
-        <translation>Préféré&#xa0;: les trajets par ce lieu comptent %1 fois moins longs</translation>
+        <source>Preferred: paths through count %1 times shorter</source>
+        <translation>Préféré&#xa0;: les chemins par ce lieu comptent %1 fois moins longs</translation>
     </message>
     <message>
         <source>Mobility</source>
@@ -16021,8 +16237,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Le plan d&apos;assemblage ne peut pas être enregistré</translation>
     </message>
     <message>
-        <source>Demands of the sequence that is opened</source>
-        <translation>Exigences de la séquence ouverte</translation>
+        <source>Constraints of the opened sequence</source>
+        <translation>Contraintes de la séquence ouverte</translation>
     </message>
     <message>
         <source>%1 was cancelled</source>
@@ -16037,15 +16253,15 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Filmer la séquence</translation>
     </message>
     <message>
-        <source>Proving the sequence again</source>
-        <translation>Nouvelle preuve de la séquence</translation>
+        <source>Certifying the sequence again</source>
+        <translation>Nouvelle certification de la séquence</translation>
     </message>
 </context>
 <context>
     <name>glissade::SequenceEdits</name>
     <message>
-        <source>Two demands exclude each other</source>
-        <translation>Deux exigences s&apos;excluent</translation>
+        <source>Two constraints exclude each other</source>
+        <translation>Deux contraintes s&apos;excluent</translation>
     </message>
     <message>
         <source>Cost of steps</source>
@@ -16068,16 +16284,16 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>%1&#xa0;: direction %2 interdite</translation>
     </message>
     <message>
-        <source>Forbid the way of %1</source>
-        <translation>Interdire la direction de sortie de %1</translation>
+        <source>Rule out the direction of %1</source>
+        <translation>Interdire la direction de %1</translation>
     </message>
     <message>
         <source>Keep the order of %1</source>
         <translation>Garder l&apos;ordre de %1</translation>
     </message>
     <message>
-        <source>No demands on %1</source>
-        <translation>Supprimer les exigences sur %1</translation>
+        <source>No constraints on %1</source>
+        <translation>Supprimer les contraintes sur %1</translation>
     </message>
     <message>
         <source>Remove: %1</source>
@@ -16088,43 +16304,43 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>%1 est verrouillée comme étape %2 du démontage</translation>
     </message>
     <message>
-        <source>%1 leaves as step %2</source>
-        <translation>%1 sort comme étape %2</translation>
+        <source>%1 is removed as step %2</source>
+        <translation>%1 est démontée comme étape %2</translation>
     </message>
     <message>
-        <source>%1 leaves by the motion by hand</source>
-        <translation>%1 sort par le mouvement fait à la main</translation>
+        <source>%1 is removed by the motion by hand</source>
+        <translation>%1 est démontée par le mouvement fait à la main</translation>
     </message>
     <message>
         <source>%1 keeps its motion</source>
         <translation>%1 garde son mouvement</translation>
     </message>
     <message>
-        <source>%1 does not leave %2</source>
-        <translation>%1 ne sort pas dans la direction %2</translation>
+        <source>%1 is not removed %2</source>
+        <translation>%1 n&apos;est pas démontée dans la direction %2</translation>
     </message>
     <message>
-        <source>%1 leaves before %2</source>
-        <translation>%1 sort avant %2</translation>
+        <source>%1 is removed before %2</source>
+        <translation>%1 est démontée avant %2</translation>
     </message>
     <message>
-        <source>%1 leave as one</source>
-        <translation>%1 sortent ensemble</translation>
+        <source>%1 are removed as one</source>
+        <translation>%1 sont démontées ensemble</translation>
     </message>
     <message>
         <source>None</source>
         <translation>Aucune</translation>
     </message>
     <message>
-        <source>The sequence cannot be planned with these demands</source>
-        <translation>La séquence ne peut pas être planifiée avec ces exigences</translation>
+        <source>The sequence cannot be planned with these constraints</source>
+        <translation>La séquence ne peut pas être planifiée avec ces contraintes</translation>
     </message>
 </context>
 <context>
     <name>glissade::SequenceHand</name>
     <message>
-        <source>The path leaves in a forbidden direction</source>
-        <translation>Le chemin sort dans une direction interdite</translation>
+        <source>The path uses a ruled-out direction</source>
+        <translation>Le chemin utilise une direction interdite</translation>
     </message>
     <message>
         <source>Path of %1</source>
@@ -16166,8 +16382,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Vue éclatée</translation>
     </message>
     <message>
-        <source>Moves the parts apart along the directions in which they leave</source>
-        <translation>Écarte les pièces dans les directions par lesquelles elles sortent</translation>
+        <source>Moves the parts apart along their directions of removal</source>
+        <translation>Écarte les pièces dans leurs directions de démontage</translation>
     </message>
     <message>
         <source>E&amp;xplode</source>
@@ -16182,32 +16398,32 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Pas encore planifié.</translation>
     </message>
     <message>
-        <source>%1 stays.</source>
-        <translation>Reste&#xa0;: %1.</translation>
+        <source>Base: %1.</source>
+        <translation>Base&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Planning…</source>
         <translation>Planification…</translation>
     </message>
     <message>
-        <source>Stopped before the end.</source>
-        <translation>Planification arrêtée avant la fin.</translation>
+        <source>Stopped. Results kept.</source>
+        <translation>Arrêté. Résultats conservés.</translation>
     </message>
     <message>
         <source>Step</source>
         <translation>Étape</translation>
     </message>
     <message>
-        <source>&amp;Demands</source>
-        <translation>&amp;Exigences</translation>
+        <source>Co&amp;nstraints</source>
+        <translation>&amp;Contraintes</translation>
     </message>
     <message>
         <source>Ste&amp;p</source>
         <translation>Éta&amp;pe</translation>
     </message>
     <message>
-        <source>Move, lock or free the chosen step, or move its part by hand</source>
-        <translation>Déplacer, verrouiller ou libérer l&apos;étape choisie, ou déplacer sa pièce à la main</translation>
+        <source>Move, lock or free the selected step, or move its part by hand</source>
+        <translation>Déplacer, verrouiller ou libérer l&apos;étape sélectionnée, ou déplacer sa pièce à la main</translation>
     </message>
     <message>
         <source>&amp;Cost</source>
@@ -16222,36 +16438,36 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>La limite de temps a été atteinte.</translation>
     </message>
     <message>
-        <source>&amp;Forbid a direction</source>
+        <source>Rule out a &amp;direction</source>
         <translation>&amp;Interdire une direction</translation>
     </message>
     <message>
-        <source>The order that costs least is chosen. An expression, as 5 * tool_change + length, or one of the list; the last of it keeps the order in which the parts were found to leave</source>
-        <translation>L&apos;ordre le moins coûteux est choisi. Une expression, comme 5 * tool_change + length, ou un choix de la liste ; le dernier garde l&apos;ordre dans lequel les sorties ont été trouvées</translation>
+        <source>The order that costs least is used. An expression, as 5 * tool_change + length, or one of the list; the last of it keeps the order in which the removals were found</source>
+        <translation>L&apos;ordre le moins coûteux est utilisé. Une expression, comme 5 * tool_change + length, ou un choix de la liste&#xa0;; le dernier garde l&apos;ordre dans lequel les démontages ont été trouvés</translation>
     </message>
     <message>
-        <source>None of %1 parts leaves.</source>
-        <translation>Aucune des %1 pièces ne sort.</translation>
+        <source>0 of %1 parts removed.</source>
+        <translation>0 pièce démontée sur %1.</translation>
     </message>
     <message numerus="yes">
-        <source>%n of %1 parts leave,</source>
+        <source>%n of %1 parts removed,</source>
         <translation>
-            <numerusform>%n pièce sur %1 sort,</numerusform>
-            <numerusform>%n pièces sur %1 sortent,</numerusform>
+            <numerusform>%n pièce démontée sur %1,</numerusform>
+            <numerusform>%n pièces démontées sur %1,</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n of them without a proof.</source>
+        <source>%n of them without a certificate.</source>
         <translation>
-            <numerusform>dont %n sans preuve.</numerusform>
-            <numerusform>dont %n sans preuve.</numerusform>
+            <numerusform>dont %n sans certificat.</numerusform>
+            <numerusform>dont %n sans certificat.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n of %1 parts leave, every motion certified.</source>
+        <source>%n of %1 parts removed, every motion certified.</source>
         <translation>
-            <numerusform>%n pièce sur %1 sort ; chaque mouvement est certifié.</numerusform>
-            <numerusform>%n pièces sur %1 sortent ; chaque mouvement est certifié.</numerusform>
+            <numerusform>%n pièce démontée sur %1&#xa0;; chaque mouvement est certifié.</numerusform>
+            <numerusform>%n pièces démontées sur %1&#xa0;; chaque mouvement est certifié.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -16269,10 +16485,10 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n leave in groups that are not taken apart.</source>
+        <source>%n in groups that are not disassembled.</source>
         <translation>
-            <numerusform>%n sort dans un groupe qui n&apos;est pas démonté.</numerusform>
-            <numerusform>%n sortent dans des groupes qui ne sont pas démontés.</numerusform>
+            <numerusform>%n dans un groupe qui n&apos;est pas démonté.</numerusform>
+            <numerusform>%n dans des groupes qui ne sont pas démontés.</numerusform>
         </translation>
     </message>
     <message>
@@ -16280,10 +16496,10 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Valable seulement si %1.</translation>
     </message>
     <message numerus="yes">
-        <source>%n step(s) do not hold here.</source>
+        <source>%n step(s) are no longer valid.</source>
         <translation>
-            <numerusform>%n étape n&apos;est pas valide ici.</numerusform>
-            <numerusform>%n étapes ne sont pas valides ici.</numerusform>
+            <numerusform>%n étape n&apos;est plus valide.</numerusform>
+            <numerusform>%n étapes ne sont plus valides.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -16368,11 +16584,11 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>certifiée</translation>
     </message>
     <message>
-        <source>✓ proved</source>
-        <translation>✓ prouvée</translation>
+        <source>✓ certified</source>
+        <translation>✓ certifiée</translation>
     </message>
     <message>
-        <source>✗ not here</source>
+        <source>✗ not valid</source>
         <translation>✗ non valide</translation>
     </message>
     <message>
@@ -16380,12 +16596,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>certifiée au moment de sa découverte</translation>
     </message>
     <message>
-        <source>proved again by the independent check</source>
-        <translation>prouvée de nouveau par la vérification indépendante</translation>
+        <source>certified again by the independent check</source>
+        <translation>certifiée de nouveau par la vérification indépendante</translation>
     </message>
     <message>
-        <source>does not hold in this arrangement</source>
-        <translation>n&apos;est pas valide dans cette disposition</translation>
+        <source>not valid in this arrangement</source>
+        <translation>non valide dans cette disposition</translation>
     </message>
     <message>
         <source>by hand</source>
@@ -16424,8 +16640,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Outil</translation>
     </message>
     <message>
-        <source>Standing</source>
-        <translation>Équilibre</translation>
+        <source>Support</source>
+        <translation>Maintien</translation>
     </message>
     <message>
         <source>State</source>
@@ -16436,16 +16652,16 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>En haut&#xa0;: plus petite distance aux autres pièces. En bas&#xa0;: plus grand amincissement de l&apos;étape&#xa0;; l&apos;infobulle les énumère tous</translation>
     </message>
     <message>
-        <source>Above: the tool that turns the fastener, and what it cannot be brought past. Below: parts that would tip or fall, or what a forced step does not keep</source>
-        <translation>En haut&#xa0;: l&apos;outil qui tourne la fixation, et ce qui l&apos;empêche de passer. En bas&#xa0;: les pièces qui basculeraient ou tomberaient, ou ce qu&apos;une étape forcée ne respecte pas</translation>
+        <source>Above: the tool that turns the fastener, and what blocks it. Below: parts that need support because they would tip or fall, or the constraints that a forced step violates</source>
+        <translation>En haut&#xa0;: l&apos;outil qui tourne la fixation, et ce qui le bloque. En bas&#xa0;: les pièces à maintenir car elles basculeraient ou tomberaient, ou les contraintes qu&apos;une étape forcée ne respecte pas</translation>
     </message>
     <message>
         <source>Steps of the sequence</source>
         <translation>Étapes de la séquence</translation>
     </message>
     <message>
-        <source>proved %1; smallest %2 to %3</source>
-        <translation>prouvé %1&#xa0;; le plus petit %2 à %3</translation>
+        <source>certified %1; smallest %2 to %3</source>
+        <translation>certifié %1&#xa0;; le plus petit %2 à %3</translation>
     </message>
     <message>
         <source>forced: %1</source>
@@ -16456,8 +16672,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>trouvée par %1</translation>
     </message>
     <message>
-        <source>Above: whether the motion is proved. Below: what a person has done to the step</source>
-        <translation>En haut&#xa0;: preuve du mouvement. En bas&#xa0;: intervention manuelle sur l&apos;étape</translation>
+        <source>Above: whether the motion is certified. Below: edits of the step</source>
+        <translation>En haut&#xa0;: certificat du mouvement. En bas&#xa0;: modifications de l&apos;étape</translation>
     </message>
     <message>
         <source>found after %1 s of computing</source>
@@ -16472,8 +16688,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Bloqué par %1.</translation>
     </message>
     <message>
-        <source>Next: move it by hand (menu of the row), or look at the order as a graph.</source>
-        <translation>Ensuite&#xa0;: déplacez-le à la main (menu de la ligne), ou regardez l&apos;ordre en graphe.</translation>
+        <source>Next: move it by hand (menu of the row), or see the precedence graph.</source>
+        <translation>Ensuite&#xa0;: déplacez-le à la main (menu de la ligne), ou consultez le graphe d&apos;antériorité.</translation>
     </message>
     <message numerus="yes">
         <source>%n inside not reached</source>
@@ -16674,12 +16890,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
 <context>
     <name>glissade::TimesController</name>
     <message>
-        <source>Dividing the work</source>
-        <translation>Répartition du travail</translation>
+        <source>Balancing the line</source>
+        <translation>Équilibrage de la ligne</translation>
     </message>
     <message>
-        <source>The work cannot be divided</source>
-        <translation>Le travail ne peut pas être réparti</translation>
+        <source>The line cannot be balanced</source>
+        <translation>La ligne ne peut pas être équilibrée</translation>
     </message>
     <message>
         <source>The table of times of %1 is used</source>
@@ -16721,20 +16937,20 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>%1 s</translation>
     </message>
     <message>
-        <source>One person needs %1. The longest chain of steps takes %2: no number of people is faster.</source>
-        <translation>Une personne a besoin de %1. La chaîne d&apos;étapes la plus longue dure %2 : aucun nombre de personnes n&apos;est plus rapide.</translation>
+        <source>One person: %1. Critical path: %2, the minimum, however many people.</source>
+        <translation>Une personne&#xa0;: %1. Chemin critique&#xa0;: %2, le minimum quel que soit le nombre de personnes.</translation>
     </message>
     <message>
-        <source>A product leaves the line every %1. No division is faster than %2. People work %3 % of the time.</source>
-        <translation>Un produit quitte la ligne toutes les %1. Aucune répartition n&apos;est plus rapide que %2. Les personnes travaillent %3 % du temps.</translation>
+        <source>Cycle time %1, minimum %2. Utilization %3 %.</source>
+        <translation>Temps de cycle %1, minimum %2. Taux d&apos;occupation %3 %.</translation>
     </message>
     <message>
         <source>The times are estimates and were not measured.</source>
         <translation>Les temps sont des estimations et n&apos;ont pas été mesurés.</translation>
     </message>
     <message>
-        <source>Times of the assembly</source>
-        <translation>Temps de l&apos;assemblage</translation>
+        <source>Assembly times</source>
+        <translation>Temps d&apos;assemblage</translation>
     </message>
     <message>
         <source>Stations of the line, one person each; the product passes them in order</source>
@@ -16768,7 +16984,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
 <context>
     <name>glissade::TourController</name>
     <message>
-        <source>This cannot be done</source>
+        <source>Not possible</source>
         <translation>Opération impossible</translation>
     </message>
 </context>
@@ -16814,12 +17030,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Des corps remplissent le même endroit&#xa0;: sont-ils des variantes d&apos;une pièce&#xa0;?</translation>
     </message>
     <message>
-        <source>Leave variants out</source>
-        <translation>Écarter des variantes</translation>
+        <source>Exclude variants</source>
+        <translation>Exclure des variantes</translation>
     </message>
     <message>
-        <source>The variant cannot be left out</source>
-        <translation>La variante ne peut pas être écartée</translation>
+        <source>The variant cannot be excluded</source>
+        <translation>La variante ne peut pas être exclue</translation>
     </message>
     <message numerus="yes">
         <source>and %n more</source>
@@ -16836,12 +17052,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Variantes</translation>
     </message>
     <message>
-        <source>These bodies fill the same place, as variants of one part do. Choose the one that is built. The scenario keeps the others under &quot;Left out&quot;.</source>
-        <translation>Ces corps remplissent le même endroit, comme le font les variantes d&apos;une pièce. Choisissez celui qui est construit. Le scénario garde les autres sous «&#xa0;Écartés&#xa0;».</translation>
+        <source>These bodies fill the same place, as variants of one part do. Choose the one that is built. The scenario keeps the others under &quot;Excluded&quot;.</source>
+        <translation>Ces corps remplissent le même endroit, comme le font les variantes d&apos;une pièce. Choisissez celui qui est construit. Le scénario garde les autres sous «&#xa0;Exclus&#xa0;».</translation>
     </message>
     <message>
-        <source>&amp;Leave the others out</source>
-        <translation>É&amp;carter les autres</translation>
+        <source>&amp;Exclude the others</source>
+        <translation>E&amp;xclure les autres</translation>
     </message>
     <message>
         <source>Place %1</source>
@@ -17056,12 +17272,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Le but est maintenant hors de l&apos;espace de travail.</translation>
     </message>
     <message>
-        <source>The object does not get there. Undo, or fit the workspace.</source>
-        <translation>L&apos;objet ne peut pas y aller. Annulez, ou ajustez l&apos;espace de travail.</translation>
+        <source>The object cannot reach it. Undo, or fit the workspace.</source>
+        <translation>L&apos;objet ne peut pas l&apos;atteindre. Annulez, ou ajustez l&apos;espace de travail.</translation>
     </message>
     <message>
-        <source>A run is refused there. Undo, or fit the workspace.</source>
-        <translation>Un calcul y est refusé. Annulez, ou ajustez l&apos;espace de travail.</translation>
+        <source>No run can start there. Undo, or fit the workspace.</source>
+        <translation>Aucun calcul ne peut y commencer. Annulez, ou ajustez l&apos;espace de travail.</translation>
     </message>
 </context>
 </TS>

@@ -112,7 +112,8 @@ FRENCH = {
     "{0}: {1}; wanted above {2}": "{0}\u00a0: {1}\u00a0; voulu au-dessus de {2}",
     "{0}: {1}; wanted below {2}": "{0}\u00a0: {1}\u00a0; voulu sous {2}",
     # Parameters.
-    "Authority": "Autorité",
+    "Authority": "Part de l'ordinateur",
+    "Computer share": "Part de l'ordinateur",
     "Contact samples": "Échantillons de contact",
     "Contact distance": "Distance de contact",
     "Contact disc": "Disque de contact",
@@ -331,7 +332,8 @@ FRENCH = {
     "auto solves every run, with a certified path.": "auto résout tous les essais, avec un chemin certifié.",
     "Scenario": "Scénario",
     "Success rate (%)": "Taux de succès (%)",
-    "Authority α": "Autorité α",
+    "Authority α": "Part de l'ordinateur α",
+    "Computer share α": "Part de l'ordinateur α",
     "Contact samples N": "Échantillons de contact N",
     "Contact distance d (m)": "Distance de contact d (m)",
 }

@@ -572,7 +572,7 @@ TEST_F(Cli, AForbiddenPlaceThatTheFileDoesNotLocateIsJudged) {
   const std::string through = pathOf("through.path", {{0.35, 0.35, 0.3}, {1.35, 0.5, 0.3}, {1.35, 1.2, 0.3}});
   const Finished refused = judged(forbidden, through);
   EXPECT_EQ(refused.exitCode, 1);
-  EXPECT_NE(refused.out.find("which a person forbids"), std::string::npos) << refused.out;
+  EXPECT_NE(refused.out.find("meets the forbidden place"), std::string::npos) << refused.out;
   EXPECT_NE(refused.err.find("/forbidden_regions: is missing"), std::string::npos) << refused.err;
 
   const Finished beside = judged(forbidden, pathOf("beside.path", {{0.35, 0.35, 0.3}, {1.35, 0.5, 0.3}}));
@@ -692,7 +692,7 @@ TEST_F(Cli, AProductInOneStepFileIsPlannedPartByPart) {
   const Finished plan = run("plan " + made + " --out " + path);
   ASSERT_EQ(plan.exitCode, 0);
   std::ostringstream deviation;
-  deviation << "within +/- " << glissade::inMillimetres(pin + largest) << " of the CAD surfaces";
+  deviation << "CAD accuracy of the certificate: +/- " << glissade::inMillimetres(pin + largest);
   EXPECT_NE(plan.out.find(deviation.str()), std::string::npos) << plan.out;
   const Json check = Json::parse(run("check " + made + " " + path + " --json").out);
   EXPECT_EQ(check["valid"], true);
@@ -723,8 +723,8 @@ TEST_F(Cli, PartsThatFitComeOutAndTheAllowanceIsStated) {
 
   const Finished check = run("check " + made + " " + path);
   EXPECT_EQ(check.exitCode, 0) << check.out;
-  EXPECT_NE(check.out.find("'plate' is taken 0.4"), std::string::npos) << check.out;
-  EXPECT_NE(check.out.find("mm thinner against 'screw' (overlap 0.4"), std::string::npos) << check.out;
+  EXPECT_NE(check.out.find("'plate', 0.4"), std::string::npos) << check.out;
+  EXPECT_NE(check.out.find("mm on 'screw' (overlap 0.4"), std::string::npos) << check.out;
   EXPECT_EQ(run("check " + made + " " + path + " --fits off").exitCode, 1) << "the whole screw does not come out";
   EXPECT_EQ(run("plan " + made + " --fits off").exitCode, 4);
   EXPECT_EQ(run("plan " + made + " --fits auto").exitCode, 2);
@@ -765,19 +765,19 @@ TEST_F(Cli, WhatAPersonLeavesOutIsNotThere) {
   const std::string plan = (folder / "plan.json").string();
   const Finished found = run("sequence " + product + " --without block --json --out " + plan);
   ASSERT_EQ(found.exitCode, 0) << found.err;
-  EXPECT_NE(found.err.find("'block': is left out"), std::string::npos) << found.err;
+  EXPECT_NE(found.err.find("'block': is excluded"), std::string::npos) << found.err;
   EXPECT_EQ(Json::parse(found.out)["parts"], 5) << "the dowel that is pressed in stays with the plate";
   EXPECT_EQ(run("check " + product + " " + plan).exitCode, 1) << "the block is there";
   const Finished check = run("check " + product + " " + plan + " --without block");
   EXPECT_EQ(check.exitCode, 0) << check.out << check.err;
-  EXPECT_NE(check.err.find("'block': is left out"), std::string::npos) << check.err;
+  EXPECT_NE(check.err.find("'block': is excluded"), std::string::npos) << check.err;
   const Json fits = Json::parse(run("fits " + product + " --without block --json").out);
   EXPECT_EQ(fits["counts"].count("clash"), 0U) << fits["counts"];
   const std::string made = (folder / "screw.json").string();
   const Finished without =
       run("new " + made + " --moves " + product + ":screw --static " + product + " --without block");
   ASSERT_EQ(without.exitCode, 0) << without.err;
-  EXPECT_NE(without.err.find("'block': is left out"), std::string::npos) << without.err;
+  EXPECT_NE(without.err.find("'block': is excluded"), std::string::npos) << without.err;
   EXPECT_EQ(Json::parse(read(made))["bodies"].size(), 6U);
   const Finished unknown = run("fits " + product + " --without blok");
   EXPECT_EQ(unknown.exitCode, 2);
@@ -805,7 +805,7 @@ TEST_F(Cli, FitsSayWhichBodyGivesWayAndWhyAPairIsRefused) {
   }
   EXPECT_EQ(refused, 1);
   const std::string table = run("fits " + product).out;
-  EXPECT_NE(table.find("taken thinner"), std::string::npos) << table;
+  EXPECT_NE(table.find("allowance"), std::string::npos) << table;
   EXPECT_NE(table.find("clash "), std::string::npos) << table;
   EXPECT_NE(run("fits " + product + " --csv").out.find("status,thinner,refused"), std::string::npos);
 }
@@ -998,7 +998,7 @@ TEST_F(Cli, ScrewsTurnOutOfTheirThreadsUnlessJointsAreOff) {
   }
   EXPECT_EQ(verdictOn(product, plan), "incomplete") << "the judge proves the turns, and the block is stuck";
   const Finished text = run("sequence " + product);
-  EXPECT_NE(text.out.find("turn out screw"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("unscrew "), std::string::npos) << text.out;
   const Json pulled = Json::parse(run("sequence " + product + " --json --joints off").out);
   EXPECT_EQ(methodOf(pulled, "screw"), "straight");
   EXPECT_EQ(pulled["sequence"]["joint_use"], "off");
@@ -1151,7 +1151,7 @@ TEST_F(Cli, WhereNoPathIsFoundTheDifficultyIsTold) {
   EXPECT_GE(difficulty["least_penetration"]["depth_mm"].get<double>(), 4.9);
   EXPECT_LT(difficulty["least_penetration"]["depth_mm"].get<double>(), 12.0);
   const Finished text = run("plan " + file + " --max-steps 500 --difficulty");
-  EXPECT_NE(text.out.find("mm given between"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("mm more room between"), std::string::npos) << text.out;
 }
 
 }  // namespace

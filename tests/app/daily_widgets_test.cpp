@@ -6,6 +6,9 @@
 #include <QToolButton>
 #include <QtTest/QTest>
 
+#include <algorithm>
+#include <map>
+
 #include "app/window/window_actions.h"
 #include "engine/planning/planner.h"
 #include "widgets/controls/diagnostic_text.h"
@@ -141,6 +144,36 @@ TEST(CommandPalette, FindsByPartsOfANameAndCarriesOut) {
   QTest::keyClick(&palette.field(), Qt::Key_Return);
   EXPECT_EQ(triggered, 1);
   EXPECT_EQ(palette.result(), QDialog::Accepted);
+}
+
+/// A person who comes from another CAD program types its words.
+TEST(CommandPalette, FindsBySynonyms) {
+  QObject parent;
+  const ActionCatalogue actions(windowActions(), &parent);
+  const std::map<const char*, const char*> searched{
+      {"explode", "panel.sequence"},       {"disassemble", "sequence.plan"},   {"BOM", "sequence.instruction"},
+      {"precedence", "sequence.graph"},    {"base", "sequence.stays"},         {"interference", "fits.find"},
+      {"undock", "view.reset-layout"},     {"suppress", "assembly.leave-out"}, {"ergonomics", "access.sequence"},
+      {"clipping plane", "section.add-x"}, {"mate", "assembly.align"},         {"x-ray", "display.see-through"},
+      {"ground", "sequence.stays"},        {"takt", "sequence.times"}};
+  for (const auto& [text, id] : searched) {
+    const std::vector<QAction*> found = matchingActions(actions, QLatin1String(text));
+    EXPECT_EQ(std::count(found.begin(), found.end(), actions[QLatin1String(id)]), 1) << text;
+  }
+  const std::vector<QAction*> base = matchingActions(actions, QStringLiteral("fix base"));
+  ASSERT_FALSE(base.empty());
+  EXPECT_EQ(base.front(), actions["sequence.stays"]) << "a name comes before descriptions";
+}
+
+TEST(CommandPalette, SaysThatItFindsNothing) {
+  QObject parent;
+  ActionCatalogue actions(windowActions(), &parent);
+  CommandPalette palette(actions, nullptr);
+  QTest::keyClicks(&palette.field(), QStringLiteral("zzz"));
+  ASSERT_EQ(palette.list().topLevelItemCount(), 1);
+  EXPECT_TRUE(palette.list().topLevelItem(0)->text(0).contains(QStringLiteral("zzz")));
+  QTest::keyClick(&palette.field(), Qt::Key_Return);
+  EXPECT_NE(palette.result(), QDialog::Accepted);
 }
 
 TEST(CommandPalette, DoesNotTriggerWhatCannotBeDone) {

@@ -70,7 +70,7 @@ TEST_F(FitsPanelTest, ADialogThatClosesChoosesNoRow) {
 TEST_F(FitsPanelTest, TipsSayWhichBodyGivesWayAndWhyNothingPasses) {
   QStringList tips;
   for (int i = 0; i < 3; ++i) tips << table().topLevelItem(i)->toolTip(4);
-  EXPECT_TRUE(tips.contains(QStringLiteral("nut is taken 1.00 µm thinner"))) << tips.join('|').toStdString();
+  EXPECT_TRUE(tips.contains(QStringLiteral("Allowance of nut: 1.00 µm"))) << tips.join('|').toStdString();
   EXPECT_TRUE(tips.contains(QStringLiteral("overlap by 2 mm, which is a clash"))) << tips.join('|').toStdString();
 }
 

@@ -48,7 +48,7 @@ class LegendOverlayTest : public testing::Test {
 };
 
 TEST_F(LegendOverlayTest, ListsWhatIsDrawnNow) {
-  EXPECT_EQ(legend.texts(), (QStringList{"Object that moves", "Start", "Goal", "Workspace"}));
+  EXPECT_EQ(legend.texts(), (QStringList{"Moving part", "Start", "Goal", "Workspace"}));
   showRun();
   for (const char* row : {"Searched from the start", "Searched from the goal", "By the operator"}) {
     EXPECT_TRUE(legend.texts().contains(QLatin1String(row))) << row;
@@ -56,7 +56,7 @@ TEST_F(LegendOverlayTest, ListsWhatIsDrawnNow) {
   EXPECT_FALSE(legend.texts().contains(QStringLiteral("In contact")));
   view.setLayerVisible(SceneLayer::Roadmap, false);
   view.setLayerVisible(SceneLayer::StartAndGoal, false);
-  EXPECT_EQ(legend.texts(), (QStringList{"Object that moves", "Workspace"}));
+  EXPECT_EQ(legend.texts(), (QStringList{"Moving part", "Workspace"}));
 }
 
 TEST_F(LegendOverlayTest, IsEmptyWithoutAScenarioAndWhereItIsHidden) {

@@ -76,7 +76,7 @@ TEST_F(PartsPage, TheSmallestPartMovesUntilSomebodyChooses) {
   choose(dialog, 0, PartsDialog::kRole, "Static");
   EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kStatic, kStatic}));
   EXPECT_FALSE(mayAccept(dialog));
-  EXPECT_TRUE(hint(dialog).contains(QStringLiteral("moves"))) << hint(dialog).toStdString();
+  EXPECT_TRUE(hint(dialog).contains(QStringLiteral("moving part"))) << hint(dialog).toStdString();
   dialog.addFiles({pin()});
   EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kStatic, kStatic, kStatic}));
 }
@@ -167,7 +167,7 @@ TEST_F(PartsPage, ARowHasItsBoxesFromWhenItIsSeen) {
 
 TEST_F(PartsPage, ChoosingThePartThatMovesTakesItFromTheOther) {
   PartsDialog dialog(Purpose::NewScenario, files(), true);
-  choose(dialog, 0, PartsDialog::kRole, "Moves");
+  choose(dialog, 0, PartsDialog::kRole, "Moving part");
   EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kMoves, kStatic}));
   choose(dialog, 1, PartsDialog::kRole, "Mobile");
   EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kMoves, kMobile}));
@@ -242,7 +242,7 @@ TEST_F(PartsPage, EveryPartOfAStepFileIsARow) {
   EXPECT_EQ(table(dialog).item(5, PartsDialog::kPart)->text(), QStringLiteral("unit.step: pump/Läufer"));
   EXPECT_EQ(roles(dialog)[5], kMoves) << "the smallest";
   EXPECT_FALSE(combo(dialog, 1, PartsDialog::kUnit).isEnabled());
-  choose(dialog, 2, PartsDialog::kRole, "Moves");
+  choose(dialog, 2, PartsDialog::kRole, "Moving part");
   table(dialog).selectAll();
   choose(dialog, 0, PartsDialog::kUnit, "inch");
   EXPECT_EQ(dialog.parts()[0].unit, 0.0254);
@@ -267,14 +267,14 @@ TEST_F(PartsPage, AStepFileOfOnePartIsOneRow) {
 
 TEST_F(PartsPage, ARoleIsOfAllSelectedRows) {
   PartsDialog dialog(Purpose::NewScenario, files() << pin(), true);
-  choose(dialog, 1, PartsDialog::kRole, "Moves");
+  choose(dialog, 1, PartsDialog::kRole, "Moving part");
   table(dialog).setRangeSelected({0, 0, 2, PartsDialog::kSize}, true);
   choose(dialog, 2, PartsDialog::kRole, "Mobile");
   EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kMobile, kMobile, kMobile}));
-  choose(dialog, 0, PartsDialog::kRole, "Moves");
+  choose(dialog, 0, PartsDialog::kRole, "Moving part");
   EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kMoves, kMoves, kMoves})) << "as one";
   table(dialog).clearSelection();
-  choose(dialog, 1, PartsDialog::kRole, "Moves");
+  choose(dialog, 1, PartsDialog::kRole, "Moving part");
   EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kStatic, kMoves, kStatic})) << "what has moved before does not";
 }
 

@@ -40,9 +40,9 @@ class PathPanelTest : public testing::Test {
 
 TEST_F(PathPanelTest, ARefusedPathSaysWhyAndByWhatItIsBlocked) {
   panel.setPath(nullptr, refused(), scenario);
-  EXPECT_TRUE(text().contains(QStringLiteral("does not hold"))) << text().toStdString();
-  EXPECT_FALSE(text().contains(QStringLiteral("begin at the start"))) << text().toStdString();
-  EXPECT_TRUE(text().contains(QStringLiteral("end at the goal"))) << text().toStdString();
+  EXPECT_TRUE(text().contains(QStringLiteral("no longer valid"))) << text().toStdString();
+  EXPECT_FALSE(text().contains(QStringLiteral("starts at the start pose"))) << text().toStdString();
+  EXPECT_TRUE(text().contains(QStringLiteral("ends at the goal pose"))) << text().toStdString();
   EXPECT_TRUE(text().contains(QStringLiteral("1 of 2 edges"))) << text().toStdString();
   EXPECT_TRUE(text().contains(QStringLiteral("75 % by Cover &lt;11 kW&gt;"))) << text().toStdString();
   panel.setPath(nullptr, nullptr, scenario);
@@ -91,10 +91,10 @@ TEST_F(PathPanelTest, ACertificateAboutTrianglesSaysByHowMuchSurfacesMayBeNearer
   path->certificate.nearest.body = 1;
   panel.setPath(path, nullptr, scenario);
   EXPECT_TRUE(text().contains(QStringLiteral("Cover &lt;11 kW&gt;"))) << text().toStdString();
-  EXPECT_FALSE(text().contains(QStringLiteral("triangles"))) << text().toStdString();
+  EXPECT_FALSE(text().contains(QStringLiteral("CAD accuracy"))) << text().toStdString();
   scenario.deflections = {{scenario.object.id, 1e-4}, {"a", 2e-4}, {"b", 5e-5}};
   panel.setPath(std::make_shared<Path>(*path), nullptr, scenario);
-  EXPECT_TRUE(text().contains(QStringLiteral("± 0.300 mm of the CAD surfaces"))) << text().toStdString();
+  EXPECT_TRUE(text().contains(QStringLiteral("CAD accuracy ± 0.300 mm"))) << text().toStdString();
   EXPECT_FALSE(text().contains(QStringLiteral("32-bit"))) << text().toStdString();
   scenario.coordinateSpacings = {{scenario.object.id, 1e-6}, {"a", 2e-6}};
   panel.setPath(std::make_shared<Path>(*path), nullptr, scenario);

@@ -90,7 +90,7 @@ TEST_F(PlanPanelTest, WithoutAWayItSaysSoAndWhy) {
   none.basis.environment = environment;
   none.forbidden = {"P4", "P9"};
   panel.setPlan(std::make_shared<const CoarsePlan>(none));
-  EXPECT_TRUE(says(QStringLiteral("No way through the places. Forbidden: P4, P9.")));
+  EXPECT_TRUE(says(QStringLiteral("No path through the places. Forbidden: P4, P9.")));
   EXPECT_FALSE(says(QStringLiteral("not tried yet")));
 }
 

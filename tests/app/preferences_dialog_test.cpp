@@ -29,7 +29,7 @@ class PreferencesDialogTest : public testing::Test {
 TEST_F(PreferencesDialogTest, ShowsWhatIsChosen) {
   EXPECT_EQ(dialog.preferences().language, QStringLiteral("fr"));
   EXPECT_EQ(dialog.preferences().fontPoints, 11.0);
-  EXPECT_EQ(boxWith(QStringLiteral("Dark"))->currentText(), QStringLiteral("As the desktop"));
+  EXPECT_EQ(boxWith(QStringLiteral("Dark"))->currentText(), QStringLiteral("Follow system"));
 }
 
 TEST_F(PreferencesDialogTest, NothingChangesBeforeItIsAccepted) {

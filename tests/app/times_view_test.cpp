@@ -32,10 +32,10 @@ class TimesViewTest : public ::testing::Test {
 TEST_F(TimesViewTest, StatesTheSumTheChainAndTheCycleOfALine) {
   view.setTiming(twoSteps(std::nullopt), {});
   EXPECT_TRUE(summary().contains(QStringLiteral("10.0 s"))) << summary().toStdString();
-  EXPECT_FALSE(summary().contains(QStringLiteral("leaves the line")));
+  EXPECT_FALSE(summary().contains(QStringLiteral("Cycle time")));
   const QSize one = chart();
   view.setTiming(twoSteps(2), {});
-  EXPECT_TRUE(summary().contains(QStringLiteral("leaves the line every 6.0 s"))) << summary().toStdString();
+  EXPECT_TRUE(summary().contains(QStringLiteral("Cycle time 6.0 s"))) << summary().toStdString();
   EXPECT_TRUE(summary().contains(QStringLiteral("83 %"))) << summary().toStdString();
   EXPECT_GT(chart().height(), one.height()) << "a bar more";
 }

@@ -169,7 +169,7 @@ Word fit(const std::string& name, const FitEdit& edit, const std::function<bool(
             return std::any_of(loaded.scenario.fits.pairs.begin(), loaded.scenario.fits.pairs.end(), has);
           },
           {{Situation::SequenceStrategies, "product_fits_test: fits of products read the same pairs"},
-           {Situation::Check, "cli_test: the check states what a person allows"}}};
+           {Situation::Check, "cli_test: the check states what the user allows"}}};
 }
 
 const std::vector<Word>& words() {

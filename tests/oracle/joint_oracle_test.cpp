@@ -152,7 +152,7 @@ TEST(JointOracle, TheJudgeRefusesAPullThatNobodyAskedFor) {
   runChild({program, "sequence", product, "--out", file, "--joints", "off"}, {200.0, 4096});
   const ChildEnd asked = runChild({program, "check", product, file}, {100.0, 4096});
   EXPECT_NE(asked.output.find("note: "), std::string::npos) << asked.output;
-  EXPECT_NE(asked.output.find("without a turn"), std::string::npos);
+  EXPECT_NE(asked.output.find("without being unscrewed"), std::string::npos);
   EXPECT_EQ(asked.output.find("is invalid"), std::string::npos) << asked.output;
 
   nlohmann::json plan = nlohmann::json::parse(std::ifstream(file));
@@ -162,7 +162,7 @@ TEST(JointOracle, TheJudgeRefusesAPullThatNobodyAskedFor) {
   const ChildEnd refused = runChild({program, "check", product, file}, {100.0, 4096});
   EXPECT_EQ(refused.exitCode, 1);
   EXPECT_NE(refused.output.find("is invalid: '"), std::string::npos) << refused.output;
-  EXPECT_NE(refused.output.find("without a turn"), std::string::npos) << refused.output;
+  EXPECT_NE(refused.output.find("without being unscrewed"), std::string::npos) << refused.output;
 
   for (auto& step : plan["steps"]) {
     for (auto& allowance : step["allowances"]) allowance["kind"] = "cylindrical";

@@ -220,7 +220,7 @@ QString AlignTool::hintFor(const std::optional<Pointed>& hovered) const {
     return tr("This is a free surface: it has no plane and no axis.");
   }
   if (hovered && first_ && hovered->item == first_->item) {
-    return tr("This is what moves. Click another body. Esc ends this.");
+    return tr("This is the moving part. Click another body. Esc ends this.");
   }
   if (hovered && first_) {
     return tr("Click to align: %1 with %2 of %3, %4. Esc ends this.")
@@ -228,10 +228,10 @@ QString AlignTool::hintFor(const std::optional<Pointed>& hovered) const {
              relationText(first_->feature, hovered->feature));
   }
   if (hovered) {
-    return tr("Click what moves: %1 of %2. Esc ends this.").arg(kindText(hovered->feature), nameOf(hovered->item));
+    return tr("Click the moving part: %1 of %2. Esc ends this.").arg(kindText(hovered->feature), nameOf(hovered->item));
   }
   return first_ ? tr("Click the vertex, edge or face of another body that it goes onto. Esc ends this.")
-                : tr("Click a vertex, an edge or a face of what moves. Esc ends this.");
+                : tr("Click a vertex, an edge or a face of the moving part. Esc ends this.");
 }
 
 }  // namespace glissade

@@ -11,15 +11,17 @@ std::vector<ActionSpec> arrangeActions() {
            "Actions",
            "Move and turn bodies, start and goal in the view: by arrows, rings, the arrow keys, or the body itself"),
        .place = {"menu.assembly", 3, 10},
+       .synonyms = QT_TRANSLATE_NOOP("Actions", "move rotate drag transform"),
        .checkable = true},
       {.id = "assembly.align",
        .text = QT_TRANSLATE_NOOP("Actions", "&Align..."),
        .key = "Ctrl+Shift+G",
        .tip = QT_TRANSLATE_NOOP("Actions",
-                                "Put a vertex, an edge, an axis or a plane onto one of another body: click that of "
-                                "what moves, then the other"),
+                                "Put a vertex, an edge, an axis or a plane onto one of another body: click that of the "
+                                "moving part, then the other"),
        .place = {"menu.placement", 1, 10},
        .button = QT_TRANSLATE_NOOP("Actions", "Align"),
+       .synonyms = QT_TRANSLATE_NOOP("Actions", "mate constraint coincident concentric"),
        .checkable = true},
       {.id = "assembly.flip",
        .text = QT_TRANSLATE_NOOP("Actions", "Flip the ali&gnment"),
@@ -53,8 +55,9 @@ std::vector<ActionSpec> arrangeActions() {
        .checkable = true},
       {.id = "assembly.fit-workspace",
        .text = QT_TRANSLATE_NOOP("Actions", "&Fit the workspace"),
-       .tip = QT_TRANSLATE_NOOP("Actions", "Fit the workspace to all bodies, with room for the object to leave"),
-       .place = {"menu.placement", 2, 10}},
+       .tip = QT_TRANSLATE_NOOP("Actions", "Fit the workspace to all bodies, with room to remove the object"),
+       .place = {"menu.placement", 2, 10},
+       .synonyms = QT_TRANSLATE_NOOP("Actions", "bounding box limits")},
   };
 }
 

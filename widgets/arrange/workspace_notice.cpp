@@ -49,14 +49,14 @@ void WorkspaceNotice::followDocument(Changes what) {
 }
 
 void WorkspaceNotice::tell(const AssemblyItem& item) {
-  Notice notice{{}, tr("A run is refused there. Undo, or fit the workspace."), {"assembly.fit-workspace", "edit.undo"}};
+  Notice notice{{}, tr("No run can start there. Undo, or fit the workspace."), {"assembly.fit-workspace", "edit.undo"}};
   switch (item.kind) {
     case AssemblyItem::Kind::Start: notice.title = tr("The start is outside of the workspace now."); break;
     case AssemblyItem::Kind::Goal: notice.title = tr("The goal is outside of the workspace now."); break;
     case AssemblyItem::Kind::Body:
       notice.title =
           tr("%1 is outside of the workspace now.").arg(QLatin1Char('\'') + nameOf(item) + QLatin1Char('\''));
-      notice.details = tr("The object does not get there. Undo, or fit the workspace.");
+      notice.details = tr("The object cannot reach it. Undo, or fit the workspace.");
       break;
   }
   told_ = item;

@@ -55,13 +55,13 @@ QString wayText(const PairFit& fit) {
     if (!taken.thinned) continue;
     const std::string& thinner = fit.shown[taken.yields == fit.givesWayFirstIsA ? 1 : 0];
     if (taken.hollow) {
-      lines << FitsPanel::tr("%1 is taken without what overlaps, up to %2 deep")
+      lines << FitsPanel::tr("%1 without what overlaps, up to %2 deep")
                    .arg(QString::fromStdString(thinner), lengthText(taken.allowance));
       continue;
     }
-    lines << FitsPanel::tr("%1 is taken %2 thinner").arg(QString::fromStdString(thinner), lengthText(taken.allowance));
+    lines << FitsPanel::tr("Allowance of %1: %2").arg(QString::fromStdString(thinner), lengthText(taken.allowance));
   }
-  return lines.isEmpty() ? FitsPanel::tr("Both bodies are taken as they are") : lines.join(QLatin1Char('\n'));
+  return lines.isEmpty() ? FitsPanel::tr("No allowance for either body") : lines.join(QLatin1Char('\n'));
 }
 
 }  // namespace

@@ -130,9 +130,9 @@ void JointDialog::layOut() {
   refusal_->setTextFormat(Qt::PlainText);
   refusal_->setWordWrap(true);
   form_->addRow(tr("Kind"), kind_);
-  form_->addRow(tr("Body that leaves"), body_);
+  form_->addRow(tr("Removed body"), body_);
   form_->addRow(tr("Clamps"), clamped_);
-  form_->addRow(tr("Leaves along"), direction_);
+  form_->addRow(tr("Removed along"), direction_);
   form_->addRow(tr("Thread diameter"), diameter_);
   form_->addRow(tr("Pitch"), pitch_);
   form_->addRow(QString(), leftHanded_);

@@ -65,7 +65,7 @@ QString jointStateText(JointRowState state) {
     case JointRowState::Recognised: return Joined::tr("recognised");
     case JointRowState::Suggested: return Joined::tr("suggested");
     case JointRowState::Confirmed: return Joined::tr("confirmed");
-    case JointRowState::Made: return Joined::tr("made by you");
+    case JointRowState::Made: return Joined::tr("user-defined");
     case JointRowState::PressedOut: return Joined::tr("pressed out");
     case JointRowState::Dissolved: return Joined::tr("dissolved");
     case JointRowState::Opened: return Joined::tr("opened");

@@ -19,15 +19,16 @@ struct MenuPlace {
 };
 
 /// One row of the catalogue. Every action has an id, for scripts and shortcuts. Texts are English; they are translated
-/// in the context "Actions", the help in "ActionHelp".
+/// in the context "Actions", the help in "ActionHelp". A translation of synonyms holds the words of that language.
 struct ActionSpec {
-  const char* id;           ///< "run.start"; the icon has the same name
-  const char* text;         ///< with mnemonic
-  const char* key = "";     ///< shortcut as portable text; may be empty
-  const char* tip;          ///< the effect, in one sentence
-  MenuPlace place = {};     ///< where it is in the menus
-  const char* button = "";  ///< short text of buttons whose panel or icon gives the context; empty: the whole text
-  const char* help = "";    ///< further help, for a person who sees the action for the first time; may be empty
+  const char* id;             ///< "run.start"; the icon has the same name
+  const char* text;           ///< with mnemonic
+  const char* key = "";       ///< shortcut as portable text; may be empty
+  const char* tip;            ///< the effect, in one sentence
+  MenuPlace place = {};       ///< where it is in the menus
+  const char* button = "";    ///< short text of buttons whose panel or icon gives the context; empty: the whole text
+  const char* help = "";      ///< further help, for a person who sees the action for the first time; may be empty
+  const char* synonyms = "";  ///< other words, separated by spaces, by which a person searches the action; may be empty
   bool checkable = false;
   bool remembered = false;  ///< the check mark is a choice for all scenarios, which the settings keep
 };

@@ -21,8 +21,8 @@ QColor colourOf(std::size_t author) {
 
 AuthorBar::AuthorBar(QWidget* parent) : QWidget(parent), names_{tr("computer"), tr("operator"), tr("contact")} {
   setToolTip(
-      tr("Computer: random configurations. Operator: where he held the object. Contact: shot on the tangent "
-         "plane of his nearest obstacle."));
+      tr("Computer: random configurations. Operator: where he held the object. Contact: drawn on the tangent plane of "
+         "his nearest obstacle."));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 

@@ -21,7 +21,7 @@ std::vector<ActionSpec> devicesActions() {
        .place = {"menu.operator", 1, 20},
        .checkable = true},
       {.id = "operator.frame",
-       .text = QT_TRANSLATE_NOOP("Actions", "Steer in other &axes"),
+       .text = QT_TRANSLATE_NOOP("Actions", "Change steering &axes"),
        .key = "Shift+F2",
        .tip = QT_TRANSLATE_NOOP("Actions", "Move along the axes of the view, of the world or of the object"),
        .place = {"menu.operator", 1, 30},

@@ -235,11 +235,13 @@ bool FileController::asksToDiscard() {
   if (bench_.messages.isQuiet() || !bench_.document.isModified()) return true;
   QStringList unsaved;
   if (bench_.document.hasUnsavedEdits()) unsaved << tr("edits");
-  if (bench_.document.hasUnkeptPath()) unsaved << tr("the path that was found");
+  if (bench_.document.hasUnkeptPath()) unsaved << tr("the path found");
   if (bench_.document.hasUnsavedPlan()) unsaved << tr("the assembly plan");
-  PlainMessageBox box(QMessageBox::Question, tr("Save the scenario?"),
-                      tr("Not saved yet: %1.").arg(unsaved.join(QStringLiteral(", "))),
-                      tr("Save keeps all of it in the scenario."), &bench_.window);
+  const LoadedScenario& scenario = *bench_.document.scenario();
+  const QString product = QString::fromStdString(nameOfProduct(scenario));
+  const QString name = product.isEmpty() ? QFileInfo(QString::fromStdString(scenario.file)).fileName() : product;
+  PlainMessageBox box(QMessageBox::Question, tr("Save changes?"), tr("Save changes to \"%1\"?").arg(name),
+                      tr("Not saved: %1.").arg(unsaved.join(QStringLiteral(", "))), &bench_.window);
   box.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
   box.setDefaultButton(QMessageBox::Save);
   const int answer = box.exec();

@@ -7,21 +7,23 @@ std::vector<ActionSpec> filesActions() {
       {.id = "file.new",
        .text = QT_TRANSLATE_NOOP("Actions", "&New from parts..."),
        .key = "Ctrl+N",
-       .tip = QT_TRANSLATE_NOOP("Actions", "Make a scenario from STEP, mesh or URDF files, one of which moves"),
+       .tip = QT_TRANSLATE_NOOP("Actions", "Make a scenario from STEP, mesh or URDF files, with one moving part"),
        .place = {"menu.file", 1, 10},
-       .help =
-           QT_TRANSLATE_NOOP("ActionHelp",
-                             "STEP files of a product become one row for each part, placed as the assembly has it. "
-                             "Meshes may need a unit and an axis. One part moves; the others are static or mobile.")},
+       .help = QT_TRANSLATE_NOOP(
+           "ActionHelp",
+           "STEP files of a product become one row for each part, placed as the assembly has it. Meshes may need a "
+           "unit and an axis. One part is the moving part; the others are static or mobile."),
+       .synonyms = QT_TRANSLATE_NOOP("Actions", "import STEP CAD mesh")},
       {.id = "file.open",
        .text = QT_TRANSLATE_NOOP("Actions", "&Open scenario..."),
        .key = "Ctrl+O",
        .tip = QT_TRANSLATE_NOOP("Actions", "Open a scenario or an OMPL.app problem"),
        .place = {"menu.file", 1, 20},
        .button = QT_TRANSLATE_NOOP("Actions", "Open"),
-       .help = QT_TRANSLATE_NOOP("ActionHelp",
-                                 "A scenario holds bodies, the object that moves, its start and goal, places, fits, "
-                                 "kept paths and parameters.")},
+       .help = QT_TRANSLATE_NOOP(
+           "ActionHelp",
+           "A scenario holds bodies, the moving part, its start and goal, places, fits, kept paths and parameters."),
+       .synonyms = QT_TRANSLATE_NOOP("Actions", "load import")},
       {.id = "file.save",
        .text = QT_TRANSLATE_NOOP("Actions", "&Save scenario"),
        .key = "Ctrl+S",
@@ -35,7 +37,7 @@ std::vector<ActionSpec> filesActions() {
        .place = {"menu.file", 2, 20}},
       {.id = "recent.forget",
        .text = QT_TRANSLATE_NOOP("Actions", "&Forget the recent files"),
-       .tip = QT_TRANSLATE_NOOP("Actions", "Empty the list of the files opened last")},
+       .tip = QT_TRANSLATE_NOOP("Actions", "Clear the list of recent files")},
   };
 }
 

@@ -14,19 +14,16 @@ constexpr QPoint kSignPlace(10, 48);
 
 QString HeadsetController::troubleText(const HeadsetStatus& status) {
   switch (status.trouble) {
-    case HeadsetTrouble::None: return tr("The headset is searched");
-    case HeadsetTrouble::NoDisplay:
-      return tr("A headset needs an X display with OpenGL, and there is none. It is tried again");
-    case HeadsetTrouble::NoRuntime:
-      return tr("No OpenXR runtime answers. Start the program of your headset; it is tried again");
+    case HeadsetTrouble::None: return tr("Searching for a headset");
+    case HeadsetTrouble::NoDisplay: return tr("A headset needs an X display with OpenGL, and there is none. Retrying");
+    case HeadsetTrouble::NoRuntime: return tr("No OpenXR runtime answers. Start the program of your headset. Retrying");
     case HeadsetTrouble::NoOpenGl:
-      return tr("The OpenXR runtime takes no pictures by OpenGL. Choose another one; it is tried again");
-    case HeadsetTrouble::NoHeadset: return tr("No headset is connected. Connect one; it is tried again");
-    case HeadsetTrouble::SessionLost: return tr("The headset was lost. Nothing else is lost, and it is searched again");
-    case HeadsetTrouble::RuntimeLost:
-      return tr("The OpenXR runtime has ended. Nothing else is lost, and it is searched again");
+      return tr("The OpenXR runtime takes no pictures by OpenGL. Choose another one. Retrying");
+    case HeadsetTrouble::NoHeadset: return tr("No headset is connected. Connect one. Retrying");
+    case HeadsetTrouble::SessionLost: return tr("The headset was lost. Nothing else is lost. Searching again");
+    case HeadsetTrouble::RuntimeLost: return tr("The OpenXR runtime has ended. Nothing else is lost. Searching again");
     case HeadsetTrouble::Failed:
-      return tr("The headset does not work: %1. It is tried again").arg(QString::fromStdString(status.detail));
+      return tr("The headset does not work: %1. Retrying").arg(QString::fromStdString(status.detail));
   }
   return {};
 }

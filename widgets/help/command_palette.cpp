@@ -25,27 +25,40 @@ QIcon noIcon() {
   return QIcon(pixmap);
 }
 
+bool containsAll(const QString& text, const QStringList& words) {
+  return std::all_of(words.begin(), words.end(),
+                     [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+}
+
 /// Rank of a match: 0 is the best; -1: no match.
-int rankOf(const QAction& action, const QString& text) {
+int rankOf(const QAction& action, const QString& synonyms, const QString& text) {
   const QString name = commandName(action.text());
-  const QString all = name + QLatin1Char(' ') + action.statusTip() + QLatin1Char(' ') + action.objectName();
-  for (const QString& word : text.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
-    if (!all.contains(word, Qt::CaseInsensitive)) return -1;
-  }
   if (name.startsWith(text, Qt::CaseInsensitive)) return 0;
-  return name.contains(text, Qt::CaseInsensitive) ? 1 : 2;
+  if (name.contains(text, Qt::CaseInsensitive)) return 1;
+  const QStringList words = text.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+  const QString named = name + QLatin1Char(' ') + synonyms;
+  if (containsAll(named, words)) return 2;
+  const QString all = named + QLatin1Char(' ') + action.statusTip() + QLatin1Char(' ') + action.objectName();
+  return containsAll(all, words) ? 3 : -1;
+}
+
+/// English words are found in every language, because users of CAD programs know them.
+QString synonymsOf(const ActionSpec& spec) {
+  const QString english = QLatin1String(spec.synonyms);
+  return english.isEmpty() ? english
+                           : english + QLatin1Char(' ') + QCoreApplication::translate("Actions", spec.synonyms);
 }
 
 }  // namespace
 
 std::vector<QAction*> matchingActions(const ActionCatalogue& actions, const QString& text) {
   std::vector<std::pair<int, QAction*>> ranked;
-  const auto add = [&](QAction* action) {
-    const int rank = rankOf(*action, text.trimmed());
+  const auto add = [&](QAction* action, const QString& synonyms) {
+    const int rank = rankOf(*action, synonyms, text.trimmed());
     if (rank >= 0) ranked.emplace_back(rank, action);
   };
-  for (const ActionSpec& spec : actions.specs()) add(actions[QLatin1String(spec.id)]);
-  for (QAction* action : actions.passing()) add(action);
+  for (const ActionSpec& spec : actions.specs()) add(actions[QLatin1String(spec.id)], synonymsOf(spec));
+  for (QAction* action : actions.passing()) add(action, {});
   std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<QAction*> found;
   found.reserve(ranked.size());
@@ -57,8 +70,8 @@ CommandPalette::CommandPalette(const ActionCatalogue& actions, QWidget* parent)
     : QDialog(parent), actions_(actions), field_(new QLineEdit(this)), list_(new QTreeWidget(this)) {
   setWindowTitle(tr("Find a command"));
   setObjectName(QStringLiteral("command-palette"));
-  field_->setPlaceholderText(tr("Part of a command's name"));
-  field_->setAccessibleName(tr("Part of a command's name"));
+  field_->setPlaceholderText(tr("Part of a command's name, or another word for it"));
+  field_->setAccessibleName(tr("Part of a command's name, or another word for it"));
   field_->setClearButtonEnabled(true);
   field_->installEventFilter(this);
   list_->setAccessibleName(tr("Commands"));
@@ -84,6 +97,10 @@ void CommandPalette::showMatches() {
   list_->clear();
   shown_ = matchingActions(actions_, field_->text());
   for (const QAction* action : shown_) addRow(*action);
+  if (shown_.empty()) {
+    auto* row = new QTreeWidgetItem(list_, {tr("No command found for \"%1\".").arg(field_->text().trimmed())});
+    row->setFlags(Qt::NoItemFlags);
+  }
   const auto first =
       std::find_if(shown_.begin(), shown_.end(), [](const QAction* action) { return action->isEnabled(); });
   if (first != shown_.end()) list_->setCurrentItem(list_->topLevelItem(static_cast<int>(first - shown_.begin())));
@@ -103,7 +120,7 @@ void CommandPalette::addRow(const QAction& action) {
 
 void CommandPalette::triggerCurrent() {
   const int row = list_->indexOfTopLevelItem(list_->currentItem());
-  if (row < 0) return;
+  if (row < 0 || shown_.empty()) return;
   QAction* action = shown_[static_cast<std::size_t>(row)];
   accept();
   action->trigger();

@@ -8,12 +8,13 @@
 
 namespace glissade {
 
-/// The actions whose name, description or id contains every word of the text, in order of rank: the name begins with
-/// the text, the name contains it, others.
+/// The actions whose name, synonyms, description or id contain every word of the text, in order of rank: the name
+/// begins with the text, the name contains it, name and synonyms contain the words, others.
 std::vector<QAction*> matchingActions(const ActionCatalogue& actions, const QString& text);
 
-/// Finds an action by a part of its name and triggers it. Up and Down choose a row during typing, Enter triggers it,
-/// Esc closes the dialog. A row shows the menu and the shortcut of the action. Disabled actions are grey.
+/// Finds an action by a part of its name or a synonym and triggers it, or says that it finds none. Up and Down choose a
+/// row during typing, Enter triggers it, Esc closes the dialog. A row shows the menu and the shortcut of the action.
+/// Disabled actions are grey.
 class CommandPalette final : public QDialog {
   Q_OBJECT
 

@@ -70,7 +70,7 @@ TourController::TourController(const Workbench& bench)
   connect(panel_, &TourPanel::back, this, [this] { go(*current_ - 1); });
   connect(panel_, &TourPanel::end, this, [this] { go(std::nullopt); });
   connect(panel_, &TourPanel::stepRequested, this, [this] {
-    if (const Outcome done = doStep(); !done) bench_.messages.showError(tr("This cannot be done"), done.error());
+    if (const Outcome done = doStep(); !done) bench_.messages.showError(tr("Not possible"), done.error());
   });
   connect(escape_, &QShortcut::activated, this, [this] { go(std::nullopt); });
   // Esc cancels background work first.

@@ -46,7 +46,7 @@ const std::vector<TourStep>& tourSteps() {
        QT_TRANSLATE_NOOP("Tour",
                          "Open the sample \"Four bodies\": its card on the welcome page, or Open (Ctrl+O) and "
                          "samples/teaching/scenario.json. The red box is to reach the ghost. A scenario holds bodies, "
-                         "the object that moves, its start and its goal."),
+                         "the moving part, its start and its goal."),
        "file.open",
        {"open-sample teaching/scenario.json"},
        isTeachingOpen},
@@ -60,20 +60,18 @@ const std::vector<TourStep>& tourSteps() {
        {"action layer.places"},
        arePlacesShown},
       {QT_TRANSLATE_NOOP("Tour", "Plan with topology"),
-       QT_TRANSLATE_NOOP(
-           "Tour",
-           "In the list of strategies (panel Interaction), choose Advanced, then Shortest way through "
-           "places (GT), and press Find path (F5). The way leads through the slot P6, which is too narrow, "
-           "and the run ends there: the panel Plan "
-           "says where and why."),
+       QT_TRANSLATE_NOOP("Tour",
+                         "In the list of strategies (panel Interaction), choose Advanced, then Shortest path through "
+                         "places (GT), and press Find path (F5). The path leads through the slot P6, which is too "
+                         "narrow, and the run ends there: the panel Plan says where and why."),
        "strategy",
        {"select-strategy gt", "action run.start"},
        hasRunGt},
       {QT_TRANSLATE_NOOP("Tour", "Plan with semantics"),
        QT_TRANSLATE_NOOP(
            "Tour",
-           "Choose the strategy Layers and press Find path (F5). It knows that the object does not fit through "
-           "the slot and goes through P5. The path that it finds is proved free of penetration."),
+           "Choose the strategy Layers and press Find path (F5). It knows that the object does not fit through the "
+           "slot and goes through P5. The path that it finds is certified free of penetration."),
        "strategy",
        {"select-strategy gts", "action run.start"},
        hasSolvedByGts},
@@ -97,16 +95,15 @@ const std::vector<TourStep>& tourSteps() {
       {QT_TRANSLATE_NOOP("Tour", "See the fits"),
        QT_TRANSLATE_NOOP("Tour",
                          "Choose Assembly > Find fits (Ctrl+I). The parts touch, as most CAD parts do. The panel Fits "
-                         "lists the pairs, with gap and allowance: by so much the part that moves is taken thinner "
-                         "against the other one. A click on a row marks the two parts."),
+                         "lists the pairs, with gap and allowance: the moving part is that much thinner against the "
+                         "other one. A click on a row marks the two parts."),
        "fits.find",
        {"action fits.find"},
        nullptr},
-      {QT_TRANSLATE_NOOP("Tour", "Take a part out"),
-       QT_TRANSLATE_NOOP(
-           "Tour",
-           "Press Find path (F5): the planner searches how the nut leaves the rod. The panel Path shows the "
-           "clearance along the motion, the allowances, and plays it (Ctrl+P)."),
+      {QT_TRANSLATE_NOOP("Tour", "Remove a part"),
+       QT_TRANSLATE_NOOP("Tour",
+                         "Press Find path (F5): the planner searches the removal path of the nut. The panel Path shows "
+                         "the clearance along the motion, the allowances, and plays it (Ctrl+P)."),
        "run.start",
        {"action run.start"},
        hasNutPath},
@@ -119,21 +116,19 @@ const std::vector<TourStep>& tourSteps() {
        {"action section.add-y"},
        isCutOpen},
       {QT_TRANSLATE_NOOP("Tour", "Plan the sequence"),
-       QT_TRANSLATE_NOOP(
-           "Tour",
-           "Choose Assembly > Plan the sequence (Ctrl+J): in which order do the parts leave? Each step has "
-           "a motion that is proved. The rod leaves before the bolts, which have no room below it. A click "
-           "on a row shows the step."),
+       QT_TRANSLATE_NOOP("Tour",
+                         "Choose Assembly > Plan the sequence (Ctrl+J): in which order are the parts removed? Each "
+                         "step has a certified motion. The rod is removed before the bolts, which have no room below "
+                         "it. A click on a row shows the step."),
        "sequence.plan",
        {"section y off", "action sequence.plan"},
        hasSequence},
       {QT_TRANSLATE_NOOP("Tour", "Write the instruction"),
        QT_TRANSLATE_NOOP(
            "Tour",
-           "The slider Explode in the panel Sequence moves the parts apart, in the order in which they leave. Choose "
-           "Assembly > Sequence > Save the sequence (Ctrl+Alt+E) and a name that ends in .html or .pdf: a work "
-           "instruction with a picture "
-           "of each step. Shift+F1 explains anything in the window; Ctrl+K finds any command."),
+           "The slider Explode in the panel Sequence moves the parts apart, in the order of removal. Choose Assembly > "
+           "Sequence > Save the sequence (Ctrl+Alt+E) and a name that ends in .html or .pdf: a work instruction with a "
+           "picture of each step. Shift+F1 explains anything in the window; Ctrl+K finds any command."),
        "sequence.export",
        {"explode 1", "export-sequence {report}"},
        nullptr},

@@ -28,7 +28,7 @@ struct Figure {
 std::vector<Figure> figures() {
   const auto way = [](const KeptPathRow& row) { return Path{row.path->points, {}}; };
   return {
-      {ComparePathsDialog::tr("Proof"), [](const KeptPathRow& row) { return proofText(row.proof); }, {}},
+      {ComparePathsDialog::tr("Certificate"), [](const KeptPathRow& row) { return proofText(row.proof); }, {}},
       {ComparePathsDialog::tr("Strategy"),
        [](const KeptPathRow& row) { return strategyName(row.path->provenance.planner); },
        {}},
@@ -42,7 +42,7 @@ std::vector<Figure> figures() {
          return row.path->clearance < 0.0 ? QStringLiteral("–") : lengthText(row.path->clearance);
        },
        [](const KeptPathRow& row) { return -row.path->clearance; }},
-      {ComparePathsDialog::tr("Proved clearance"),
+      {ComparePathsDialog::tr("Certified clearance"),
        [](const KeptPathRow& row) { return lengthText(row.path->provedClearance); },
        {}},
       {ComparePathsDialog::tr("Required clearance"),

@@ -121,7 +121,7 @@ void KeptPathsController::startProof(const KeptPathPtr& path) {
     const KeptPathProof proof = proveAgain(*path, edited, watch);
     return [this, path, proof] { takeProof(*path, proof); };
   };
-  proving_.start(GLISSADE_TEXT("proving a kept path"), prove, bench_.work.isAtOnce());
+  proving_.start(GLISSADE_TEXT("certifying a kept path"), prove, bench_.work.isAtOnce());
 }
 
 void KeptPathsController::takeProof(const KeptPath& path, const KeptPathProof& proof) {
@@ -191,7 +191,7 @@ Outcome KeptPathsController::openPath(const std::string& name) {
     return Diagnostic{ErrorKind::Usage,
                       "",
                       name,
-                      GLISSADE_TEXT("another object moves now"),
+                      GLISSADE_TEXT("another body is the moving part now"),
                       {GLISSADE_TEXT("Make '%1' the object first."), {path->object}}};
   }
   if (isRunning(*bench_.session.snapshot())) {
@@ -238,7 +238,7 @@ void KeptPathsController::compareSelected() {
 }
 
 void KeptPathsController::showFailure(const Outcome& outcome) {
-  if (!outcome) bench_.messages.showError(tr("This cannot be done with the path"), outcome.error());
+  if (!outcome) bench_.messages.showError(tr("Not possible with this path"), outcome.error());
 }
 
 /// The path that a script names: by its name, or by @1 for the first of the list.

@@ -43,23 +43,23 @@ QString allowanceTip(const KeptPath& path) {
       lines << KeptPathsPanel::tr("accepted clash with %1, %2 deep").arg(body, length);
       continue;
     }
-    lines << (allowance.yields ? KeptPathsPanel::tr("%1 taken %2 thinner").arg(body, length)
-                               : KeptPathsPanel::tr("taken %1 thinner against %2").arg(length, body));
+    lines << (allowance.yields ? KeptPathsPanel::tr("Allowance: %2 on %1, which gives way").arg(body, length)
+                               : KeptPathsPanel::tr("Allowance: %1 on %2").arg(length, body));
   }
   return lines.join(QLatin1Char('\n'));
 }
 
 QString proofTip(KeptPathState state) {
   switch (state) {
-    case KeptPathState::Unknown: return KeptPathsPanel::tr("The path is proved again in the background.");
+    case KeptPathState::Unknown: return KeptPathsPanel::tr("The path is certified again in the background.");
     case KeptPathState::Holds: return KeptPathsPanel::tr("Certified again in the scenario as it is now.");
     case KeptPathState::Blocked:
-      return KeptPathsPanel::tr("Not proved: the scenario was changed, and a body is in the way.");
+      return KeptPathsPanel::tr("Not certified: the scenario was changed, and a body is in the way.");
     case KeptPathState::OtherEnds:
-      return KeptPathsPanel::tr("Free of penetration, but it does not lead from the start to the goal any more.");
+      return KeptPathsPanel::tr("Free of penetration, but it no longer leads from the start pose to the goal pose.");
     case KeptPathState::OtherObject: break;
   }
-  return KeptPathsPanel::tr("Not proved: another object moves now.");
+  return KeptPathsPanel::tr("Not certified: another body is the moving part now.");
 }
 
 void fillRow(QTreeWidgetItem& item, const KeptPathRow& row) {
@@ -69,7 +69,7 @@ void fillRow(QTreeWidgetItem& item, const KeptPathRow& row) {
   item.setText(Proof, proofText(row.proof));
   item.setToolTip(Proof, proofTip(row.proof.state));
   item.setText(Clearance, path.clearance < 0.0 ? QStringLiteral("–") : columnLengthText(path.clearance));
-  item.setToolTip(Clearance, KeptPathsPanel::tr("proved %1, required %2")
+  item.setToolTip(Clearance, KeptPathsPanel::tr("certified %1, required %2")
                                  .arg(lengthText(path.provedClearance), lengthText(path.requiredClearance)));
   item.setText(Length, columnLengthText(way.length()));
   item.setText(Turns, QLocale().toString(way.rotation() * 180.0 / std::numbers::pi, 'f', 0) + QStringLiteral("°"));
@@ -96,8 +96,8 @@ QString strategyName(const std::string& plannerId) {
 
 QString proofText(const KeptPathProof& proof) {
   switch (proof.state) {
-    case KeptPathState::Unknown: return QStringLiteral("… ") + KeptPathsPanel::tr("not proved yet");
-    case KeptPathState::Holds: return QStringLiteral("✓ ") + KeptPathsPanel::tr("proved");
+    case KeptPathState::Unknown: return QStringLiteral("… ") + KeptPathsPanel::tr("not certified yet");
+    case KeptPathState::Holds: return QStringLiteral("✓ ") + KeptPathsPanel::tr("certified");
     case KeptPathState::Blocked:
       return QStringLiteral("✗ ") +
              (proof.blockedBy.empty()
@@ -114,7 +114,7 @@ KeptPathsPanel::KeptPathsPanel(const ActionCatalogue& actions, QWidget* parent)
   summary_->setWordWrap(true);
   table_->setObjectName(QStringLiteral("kept-paths"));
   table_->setColumnCount(KeptColumnCount);
-  table_->setHeaderLabels({tr("Name"), tr("Proof"), tr("Clearance"), tr("Length"), tr("Turns"), tr("Strategy"),
+  table_->setHeaderLabels({tr("Name"), tr("Certificate"), tr("Clearance"), tr("Length"), tr("Turns"), tr("Strategy"),
                            tr("Seed"), tr("Allowances")});
   table_->setRootIsDecorated(false);
   table_->setUniformRowHeights(true);

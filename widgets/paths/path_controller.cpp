@@ -197,7 +197,7 @@ void PathController::connectActions() {
 void PathController::bringToFront() { bench_.actions["panel.path"]->trigger(); }
 
 void PathController::showError(const Diagnostic& why) {
-  bench_.messages.showError(tr("This cannot be done with the path"), why);
+  bench_.messages.showError(tr("Not possible with this path"), why);
 }
 
 void PathController::chooseFile() {

@@ -36,9 +36,9 @@ QString allowanceText(const Fit& fit, const std::vector<PathPoint>& points, cons
   const QString length = lengthText(fit.allowance);
   if (fit.hollow && fit.kind == ContactKind::Thread) return PathPanel::tr("no hole in the file, with %1").arg(body);
   if (fit.hollow) return PathPanel::tr("accepted clash with %1, %2 deep").arg(body, length);
-  QString text = fit.yields ? PathPanel::tr("%1 taken %2 thinner").arg(body, length)
-                            : PathPanel::tr("taken %1 thinner against %2").arg(length, body);
-  if (fit.evidence.byPerson > 0.0) text += PathPanel::tr(", as a person allows");
+  QString text = fit.yields ? PathPanel::tr("Allowance: %2 on %1, which gives way").arg(body, length)
+                            : PathPanel::tr("Allowance: %1 on %2").arg(length, body);
+  if (fit.evidence.byPerson > 0.0) text += PathPanel::tr(", user-defined");
   if (!fit.thread) return text;
   const double turns = turnsOn(points, scenario, fit);
   return text + QStringLiteral(" ") +
@@ -52,7 +52,7 @@ QString certificateText(const Path& path, const LoadedScenario& scenario) {
   const QString what =
       body < 0 ? PathPanel::tr("nothing near")
                : PathPanel::tr("clearance %1 to %2").arg(lengthText(certificate.minClearance), nameOf(body, scenario));
-  QString held = PathPanel::tr("proved %1, required %2")
+  QString held = PathPanel::tr("certified %1, required %2")
                      .arg(lengthText(certificate.provedClearance), lengthText(certificate.tolerance));
   if (body < 0) held = PathPanel::tr("required %1").arg(lengthText(certificate.tolerance));
   if (const std::size_t sliding = certificate.slidingEdges(); sliding > 0) {
@@ -73,8 +73,7 @@ QString certificateText(const Path& path, const LoadedScenario& scenario) {
             PathPanel::tr("%1 or more from forbidden places").arg(lengthText(certificate.forbiddenMargin));
   }
   if (const double deviation = surfaceDeviation(scenario); deviation > 0.0) {
-    text += QStringLiteral("<br>") +
-            PathPanel::tr("of triangles, within ± %1 of the CAD surfaces").arg(lengthText(deviation));
+    text += QStringLiteral("<br>") + PathPanel::tr("CAD accuracy ± %1").arg(lengthText(deviation));
   }
   if (const double spacing = coordinateSpacing(scenario); spacing > 0.0) {
     text += QStringLiteral("<br>") +
@@ -97,8 +96,8 @@ double shareOf(const BlockedEdge& blocked, const WaySlider& slider) { return sli
 
 QString refusalText(const PathExamination& refused, const WaySlider& slider, const LoadedScenario& scenario) {
   QStringList why;
-  if (!refused.ends.start) why << PathPanel::tr("It does not begin at the start.");
-  if (!refused.ends.goal) why << PathPanel::tr("It does not end at the goal.");
+  if (!refused.ends.start) why << PathPanel::tr("It no longer starts at the start pose.");
+  if (!refused.ends.goal) why << PathPanel::tr("It no longer ends at the goal pose.");
   if (const auto outside = firstOutside(refused.path.points, scenario.problem)) {
     why << PathPanel::tr("It leaves the workspace at configuration %1.").arg(*outside + 1);
   } else if (!refused.blocked.empty()) {
@@ -112,7 +111,7 @@ QString refusalText(const PathExamination& refused, const WaySlider& slider, con
                                                                : body < 0 ? PathPanel::tr("nothing near")
                                                                           : nameOf(body, scenario));
   }
-  return QStringLiteral("<b>✗ %1</b><br>%2").arg(PathPanel::tr("This path does not hold here"), why.join("<br>"));
+  return QStringLiteral("<b>✗ %1</b><br>%2").arg(PathPanel::tr("This path is no longer valid"), why.join("<br>"));
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ QString listed(const std::vector<std::string>& names) {
 }
 
 QString noWayText(const CoarsePlan& plan) {
-  QStringList sentences{PlanPanel::tr("No way through the places.")};
+  QStringList sentences{PlanPanel::tr("No path through the places.")};
   if (!plan.forbidden.empty()) sentences << PlanPanel::tr("Forbidden: %1.").arg(listed(plan.forbidden));
   if (!plan.infiniteCost.empty()) sentences << PlanPanel::tr("Of infinite cost: %1.").arg(listed(plan.infiniteCost));
   if (sentences.size() == 1) sentences << PlanPanel::tr("None leads from start to goal.");

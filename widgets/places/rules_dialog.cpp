@@ -25,10 +25,10 @@ RulesDialog::RulesDialog(const StrategyRules& own, AttributeTable table, QWidget
       preset_(new QComboBox(this)),
       node_(makeFunction("rule-node", tr("f: what a border costs where places a and b meet. Known: %1")
                                           .arg(QStringLiteral("size, a.…, b.…, object.…")))),
-      edge_(makeFunction("rule-edge", tr("g: what a way across a place costs. Known: %1")
+      edge_(makeFunction("rule-edge", tr("g: what a path across a place costs. Known: %1")
                                           .arg(QStringLiteral("distance, size, place.…, object.…")))),
       fine_(new QTableWidget(0, 3, this)),
-      loop_(new QCheckBox(tr("When a step fails, try the &next best way"), this)),
+      loop_(new QCheckBox(tr("When a step fails, try the &next best path"), this)),
       fitted_(new QCheckBox(tr("&Cross passages as the object fits best"), this)),
       trouble_(new QLabel(this)) {
   setWindowTitle(tr("Rules of the strategy"));
@@ -38,7 +38,7 @@ RulesDialog::RulesDialog(const StrategyRules& own, AttributeTable table, QWidget
   auto* form = new QFormLayout;
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form->addRow(tr("&Borders: f ="), node_);
-  form->addRow(tr("&Ways: g ="), edge_);
+  form->addRow(tr("Pa&ths: g ="), edge_);
   auto* known = new QLabel(names(), this);
   known->setWordWrap(true);
   known->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -43,7 +43,7 @@ std::vector<Mark> marksOf(const SemanticModel& semantics, std::size_t place) {
   if (preference > 1.0) {
     marks.push_back(
         {QStringLiteral("★"),
-         SemanticsTree::tr("Preferred: ways through count %1 times shorter").arg(QLocale().toString(preference))});
+         SemanticsTree::tr("Preferred: paths through count %1 times shorter").arg(QLocale().toString(preference))});
   }
   return marks;
 }
@@ -143,7 +143,7 @@ void SemanticsTree::showBodies() {
     const QString id = QString::fromStdString(bodies[i].id);
     item->setText(0, QString::fromStdString(bodies[i].shown()));
     item->setIcon(0, swatch(bodies[i].colour));
-    item->setText(1, document_.isMoved(i) ? tr("moved")
+    item->setText(1, document_.isMoved(i) ? tr("moving part")
                                           : QString::fromStdString(toText(document_.bodyValue(id, "mobility").value)));
     describe(*item, id);
   }

@@ -193,7 +193,7 @@ void AssemblyController::connectActions() {
     place({AssemblyItem::Kind::Goal, {}}, bench_.session.snapshot()->device.q_device);
   });
   on("assembly.goal-out", [this] {
-    editScenario(tr("Goal out"), [](Scenario& scenario) {
+    editScenario(tr("Goal: removed"), [](Scenario& scenario) {
       scenario.goal = GoalOut{};
       return Outcome(Done{});
     });
@@ -226,7 +226,7 @@ void AssemblyController::followRun(const SnapshotPtr& snapshot) {
 }
 
 void AssemblyController::showFailure(const Outcome& outcome) {
-  if (!outcome) bench_.messages.showError(tr("This cannot be done"), outcome.error());
+  if (!outcome) bench_.messages.showError(tr("Not possible"), outcome.error());
 }
 
 void AssemblyController::place(const AssemblyItem& item, const Pose& X_WB, const QString& mergeKey) {
@@ -270,21 +270,22 @@ void AssemblyController::removeSelected() {
 
 void AssemblyController::leaveOutSelected() {
   const std::set<std::string> ids = selectedBodies();
-  editScenario(ids.size() == 1 ? tr("Leave out %1").arg(QString::fromStdString(*ids.begin())) : tr("Leave bodies out"),
+  editScenario(ids.size() == 1 ? tr("Exclude %1").arg(QString::fromStdString(*ids.begin())) : tr("Exclude bodies"),
                [&ids](Scenario& scenario) { return editEach(ids, leaveOut, scenario); });
 }
 
 void AssemblyController::putBackSelected() {
   const std::vector<std::string> ids = scenePanel_->chosenLeftOut();
-  editScenario(tr("Put back"), [&ids](Scenario& scenario) { return editEach(ids, putBack, scenario); });
+  editScenario(tr("Include bodies"), [&ids](Scenario& scenario) { return editEach(ids, putBack, scenario); });
 }
 
 /// Marks the selected bodies as moving. Selected bodies of the object keep moving, so a group can grow.
 void AssemblyController::markSelected() {
   const std::vector<std::string> ids = selectedToMove();
   const QString first = QString::fromStdString(ids.front());
-  const QString text = ids.size() == 1 ? tr("%1 moves").arg(first)
-                                       : tr("%1 and %n more move", "", static_cast<int>(ids.size()) - 1).arg(first);
+  const QString text = ids.size() == 1
+                           ? tr("Moving part: %1").arg(first)
+                           : tr("Moving part: %1 and %n more", "", static_cast<int>(ids.size()) - 1).arg(first);
   editScenario(text, [&](Scenario& scenario) { return markMoving(ids, *document_.scenario(), scenario); });
 }
 
@@ -292,7 +293,7 @@ void AssemblyController::markSelected() {
 void AssemblyController::moveEndsClear() {
   const double required = document_.settings().parameters[ParameterId::RequiredClearance];
   bench_.work.run(
-      tr("Moving the ends clear"),
+      tr("Resolving start and goal collisions"),
       [this, scenario = document_.scenario(), required](const WorkWatch& watch) -> BackgroundTask::Delivery {
         return [this, moved = endsMovedClear(*scenario, required, watch.stop)] { takeMovedEnds(moved); };
       });
@@ -304,7 +305,7 @@ void AssemblyController::takeMovedEnds(const Result<std::vector<MovedEnd>>& move
     return;
   }
   if (moved->empty()) {
-    bench_.messages.showStatus(tr("Start and goal are clear of all bodies."));
+    bench_.messages.showStatus(tr("Start and goal have no collisions."));
     return;
   }
   QStringList texts;
@@ -317,9 +318,9 @@ void AssemblyController::takeMovedEnds(const Result<std::vector<MovedEnd>>& move
     for (const MovedEnd& end : ends) (void)glissade::place(end.item, end.X_WB, scenario);
     return Outcome(Done{});
   };
-  const Outcome edited = document_.edit(tr("Clear start and goal"), change);
+  const Outcome edited = document_.edit(tr("Resolve start and goal collisions"), change);
   showFailure(edited);
-  if (edited) bench_.messages.showStatus(tr("Clear of all bodies: %1").arg(texts.join(QStringLiteral(", "))));
+  if (edited) bench_.messages.showStatus(tr("Collisions resolved: %1").arg(texts.join(QStringLiteral(", "))));
 }
 
 void AssemblyController::choose(const std::optional<AssemblyItem>& item) {

@@ -56,10 +56,10 @@ QComboBox* makeRoleBox(const QString& part, bool mayMove) {
     role->setItemData(role->count() - 1, tip, Qt::ToolTipRole);
   };
   if (mayMove) {
-    add(PartsDialog::tr("Moves"), PartRole::Moves,
-        PartsDialog::tr("The part whose motion is looked for; several move as one"));
+    add(PartsDialog::tr("Moving part"), PartRole::Moves,
+        PartsDialog::tr("The part whose path is planned; several move as one"));
   }
-  add(PartsDialog::tr("Static"), PartRole::Static, PartsDialog::tr("Stays where it is"));
+  add(PartsDialog::tr("Static"), PartRole::Static, PartsDialog::tr("Does not move"));
   add(PartsDialog::tr("Mobile"), PartRole::Mobile, PartsDialog::tr("In the way, but a person could move it"));
   return role;
 }

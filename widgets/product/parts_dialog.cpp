@@ -62,16 +62,16 @@ QString reasonText(Diagnostic why) {
 FinenessBox::FinenessBox(QWidget* parent) : QDoubleSpinBox(parent) {
   constexpr double kMostMillimetres = 5.0;
   setObjectName(QStringLiteral("fineness"));
-  setAccessibleName(tr("Fineness of STEP surfaces"));
+  setAccessibleName(tr("Mesh tolerance of STEP files"));
   setToolTip(
-      tr("By how much triangles may be off the surfaces of STEP files. Finer ones allow smaller gaps and take longer; "
-         "by its size, a part has a thousandth of its diagonal, from 0.01 to 0.5 mm"));
+      tr("How far triangles may be off the surfaces of STEP files. A finer tolerance allows smaller gaps and takes "
+         "longer; automatic: a thousandth of the diagonal of each part, from 0.01 to 0.5 mm"));
   setRange(0.0, kMostMillimetres);
   setDecimals(3);
   setSingleStep(0.01);
   setSuffix(tr(" mm"));
-  setPrefix(tr("STEP within "));
-  setSpecialValueText(tr("STEP by size"));
+  setPrefix(tr("Mesh tolerance: "));
+  setSpecialValueText(tr("Mesh tolerance: automatic"));
 }
 
 PartsDialog::PartsDialog(Purpose purpose, const QStringList& files, bool atOnce, QWidget* parent)
@@ -81,7 +81,7 @@ PartsDialog::PartsDialog(Purpose purpose, const QStringList& files, bool atOnce,
       table_(new QTableWidget(0, 5, this)),
       remove_(new QPushButton(tr("&Remove"), this)),
       closeHoles_(new QCheckBox(tr("Close planar &holes"), this)),
-      apart_(new QCheckBox(tr("&Groups and solids are parts"), this)),
+      apart_(new QCheckBox(tr("Split OBJ &groups and solids"), this)),
       fineness_(new FinenessBox(this)),
       hint_(new QLabel(this)) {
   setObjectName(QStringLiteral("parts"));
@@ -488,7 +488,7 @@ QString PartsDialog::hint() const {
     const auto read = std::count_if(rows_.begin(), rows_.end(), [](const Row& row) { return row.inFile.has_value(); });
     return tr("The files are being read: %1 of %2.").arg(read).arg(rows_.size());
   }
-  if (purpose_ == Purpose::NewScenario && !hasMoving()) return tr("Choose the part that moves.");
+  if (purpose_ == Purpose::NewScenario && !hasMoving()) return tr("Choose the moving part.");
   if (unitGuess_ && unitGuess_->inDoubt) {
     return tr("Is the unit right? The files do not state it, and their size does not decide it. Choose the unit.");
   }

@@ -96,10 +96,10 @@ void ScenePanel::setScenario(const LoadedScenario& scenario) {
   const QSignalBlocker block(this);
   clear();
   QTreeWidgetItem* object = addGroup(tr("Object"));
-  for (const RigidBody& body : scenario.objectBodies) addBody(*object, body, tr("moved"));
+  for (const RigidBody& body : scenario.objectBodies) addBody(*object, body, tr("moving part"));
   const Pose* goal = std::get_if<Pose>(&scenario.problem.goal);
   addEnd(*object, tr("start  %1").arg(place(scenario.problem.start)), AssemblyItem::Kind::Start);
-  addEnd(*object, tr("goal  %1").arg(goal != nullptr ? place(*goal) : tr("out")), AssemblyItem::Kind::Goal);
+  addEnd(*object, tr("goal  %1").arg(goal != nullptr ? place(*goal) : tr("removed")), AssemblyItem::Kind::Goal);
   obstacles_ = addGroup(tr("Obstacles"));
   addObstacles(scenario);
   addLeftOut(scenario.scenario);
@@ -108,7 +108,7 @@ void ScenePanel::setScenario(const LoadedScenario& scenario) {
 
 void ScenePanel::addLeftOut(const Scenario& scenario) {
   if (scenario.leftOut.empty()) return;
-  QTreeWidgetItem* group = addGroup(tr("Left out"));
+  QTreeWidgetItem* group = addGroup(tr("Excluded"));
   std::vector<std::string> ids;
   std::vector<std::string> paths;
   for (const BodyDescription* body : allBodiesOf(scenario)) {
@@ -117,7 +117,7 @@ void ScenePanel::addLeftOut(const Scenario& scenario) {
   }
   const std::vector<std::string> shown = treeOf(scenario).labels(ids);
   for (std::size_t i = ids.size() - scenario.leftOut.size(); i < ids.size(); ++i) {
-    auto* item = new QTreeWidgetItem(group, {QString::fromStdString(shown[i]), tr("left out")});
+    auto* item = new QTreeWidgetItem(group, {QString::fromStdString(shown[i]), tr("excluded")});
     item->setToolTip(
         0, tr("%1: part of the product's file, and not of this product").arg(QString::fromStdString(paths[i])));
     item->setData(0, kLeftOutRole, QString::fromStdString(ids[i]));
@@ -203,7 +203,7 @@ void ScenePanel::showDeflections(const LoadedScenario& scenario) {
   for (QTreeWidgetItemIterator item(this); *item != nullptr; ++item) {
     const auto known = scenario.deflections.find((*item)->data(0, kBodyRole).toString().toStdString());
     if (known == scenario.deflections.end()) continue;
-    (*item)->setToolTip(2, tr("Within about %1 of the part's surface").arg(lengthText(known->second)));
+    (*item)->setToolTip(2, tr("CAD accuracy ± %1").arg(lengthText(known->second)));
   }
 }
 

@@ -91,8 +91,8 @@ void VariantsController::leaveOthersOut(const std::set<std::string>& rigidIds) {
   std::set<std::string> ids;
   for (const std::string& id : rigidIds) ids.insert(bodyIdOf(id));
   const auto change = [&ids](Scenario& scenario) { return editEach(ids, leaveOut, scenario); };
-  const Outcome edited = bench_.document.edit(tr("Leave variants out"), change);
-  if (!edited) bench_.messages.showError(tr("The variant cannot be left out"), edited.error());
+  const Outcome edited = bench_.document.edit(tr("Exclude variants"), change);
+  if (!edited) bench_.messages.showError(tr("The variant cannot be excluded"), edited.error());
 }
 
 QImage VariantsController::pictureOf(const std::string& rigidId, const Box3& box) {

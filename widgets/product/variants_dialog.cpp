@@ -24,7 +24,7 @@ VariantsDialog::VariantsDialog(std::vector<std::vector<Variant>> places, QWidget
   setWindowTitle(tr("Variants"));
   resize(720, 560);
   auto* about = new QLabel(tr("These bodies fill the same place, as variants of one part do. Choose the one that is "
-                              "built. The scenario keeps the others under \"Left out\"."),
+                              "built. The scenario keeps the others under \"Excluded\"."),
                            this);
   about->setWordWrap(true);
   auto* page = new QWidget(this);
@@ -36,7 +36,7 @@ VariantsDialog::VariantsDialog(std::vector<std::vector<Variant>> places, QWidget
   area->setFrameShape(QFrame::NoFrame);
   area->setWidget(page);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-  buttons->button(QDialogButtonBox::Ok)->setText(tr("&Leave the others out"));
+  buttons->button(QDialogButtonBox::Ok)->setText(tr("&Exclude the others"));
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* layout = new QVBoxLayout(this);

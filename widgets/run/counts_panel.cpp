@@ -44,7 +44,7 @@ struct RunCurves::Curve {
 
 RunCurves::RunCurves(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  setAccessibleName(tr("Nodes, authority and clearance over the time of planning"));
+  setAccessibleName(tr("Nodes, computer share and clearance over the time of planning"));
   setToolTip(
       tr("Nodes of the roadmap, the computer's share α, and the distance of the object in the operator's hand to the "
          "nearest obstacle, over the time of planning"));
@@ -73,9 +73,9 @@ RunCurves::Curve RunCurves::nodesCurve() const {
 }
 
 RunCurves::Curve RunCurves::authorityCurve() const {
-  return {tr("Authority α"),   QLocale().toString(history_.samples().back().authority, 'f', 2),
-          QStringLiteral("0"), QStringLiteral("1"),
-          kAuthorityColour,    [](const RunSample& sample) { return std::optional<double>(sample.authority); }};
+  return {tr("Computer share α"), QLocale().toString(history_.samples().back().authority, 'f', 2),
+          QStringLiteral("0"),    QStringLiteral("1"),
+          kAuthorityColour,       [](const RunSample& sample) { return std::optional<double>(sample.authority); }};
 }
 
 /// The curve of clearance, on a logarithmic axis of whole decades.
@@ -183,10 +183,10 @@ CountsPanel::CountsPanel(QWidget* parent) : QWidget(parent), layout_(new QFormLa
   edges_ = addRow(tr("Edges"), tr("Both directions, as the papers count"));
   random_ = addRow(tr("Random configurations"), tr("Drawn by the computer, kept or not"));
   operator_ = addRow(tr("Operator configurations"), tr("Where the operator held the object"));
-  contact_ = addRow(tr("Contact configurations"), tr("Shot on tangent planes, kept or not"));
+  contact_ = addRow(tr("Contact configurations"), tr("Drawn on tangent planes, kept or not"));
   time_ = addRow(tr("Computing time"), tr("Of planning; pauses do not count"));
   pace_ = addRow(tr("Steps per second"), tr("Planner steps in a second"));
-  mode_ = addRow(tr("Contact mode"), tr("On while contact samples are shot"));
+  mode_ = addRow(tr("Contact mode"), tr("On while contact samples are drawn"));
   nearest_ = addRow(tr("Nearest obstacle"), tr("Of the object in the operator's hand"));
   nearest_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // long names do not widen the panel
   layout_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);

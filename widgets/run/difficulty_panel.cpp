@@ -30,8 +30,8 @@ DifficultyPanel::DifficultyPanel(const ActionCatalogue& actions, QWidget* parent
   rows_->setAlternatingRowColors(true);
   rows_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   rows_->header()->setStretchLastSection(true);
-  slider_->setAccessibleName(tr("Place on the way of least penetration"));
-  slider_->setToolTip(tr("Place on the way of least penetration"));
+  slider_->setAccessibleName(tr("Place on the path of least penetration"));
+  slider_->setToolTip(tr("Place on the path of least penetration"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->setSpacing(4);
@@ -70,7 +70,7 @@ void DifficultyPanel::changeEvent(QEvent* event) {
 
 void DifficultyPanel::describe(const Difficulty& difficulty, const LoadedScenario& scenario) {
   if (const auto& least = difficulty.leastPenetration) {
-    summary_->setText(tr("There is a way if the object may overlap <b>%2</b> by <b>%1</b>.")
+    summary_->setText(tr("There is a path if the object may overlap <b>%2</b> by <b>%1</b>.")
                           .arg(lengthText(least->depth), bodyName(least->body, scenario).toHtmlEscaped()));
     addRow("least", tr("Least penetration"), lengthText(least->depth), least->body, least->q, scenario);
   } else {
@@ -87,7 +87,7 @@ void DifficultyPanel::describe(const Difficulty& difficulty, const LoadedScenari
 }
 
 void DifficultyPanel::offer(const std::vector<HelpPlace>& help, const LoadedScenario& scenario) {
-  if (!help.empty()) summary_->setText(summary_->text() + QLatin1Char(' ') + tr("Your hand may find the way."));
+  if (!help.empty()) summary_->setText(summary_->text() + QLatin1Char(' ') + tr("Your hand may find the path."));
   for (std::size_t i = 0; i < help.size(); ++i) {
     const double radius = scenario.problem.world->objectRadius();
     QString lacking = help[i].lacking ? lengthText(*help[i].lacking) : tr("closed");

@@ -46,7 +46,7 @@ InteractionPanel::InteractionPanel(QWidget* parent)
       device_(makeBox(this)),
       pace_(new PaceBox(this)),
       seed_(new SeedBox(this)),
-      authorityTitle_(new QLabel(tr("Authority now"), this)),
+      authorityTitle_(new QLabel(tr("Computer share now"), this)),
       authority_(new QLabel(this)),
       replayed_(new QLabel(tr("Replayed: as it was at this step"), this)),
       sliders_(new ParameterSliders(steeringParameters(), this)) {

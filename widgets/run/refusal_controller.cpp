@@ -26,6 +26,26 @@ QString factOf(const EndConflict& conflict, const LoadedScenario& scenario, doub
       .arg(name, lengthText(conflict.distance), lengthText(required));
 }
 
+/// The sentence about the first conflict, which has the largest overlap.
+QString titleOf(const EndConflicts& found, const LoadedScenario& scenario, double required) {
+  const EndConflict& first = found.conflicts.front();
+  const QString object = QString::fromStdString(scenario.object.shown());
+  const QString body = QString::fromStdString(scenario.obstacles[first.obstacle].shown());
+  if (first.overlap) {
+    return (found.atStart ? RefusalController::tr("Start pose collides: '%1' overlaps %2 by %3.")
+                          : RefusalController::tr("Goal pose collides: '%1' overlaps %2 by %3."))
+        .arg(object, body, lengthText(*first.overlap));
+  }
+  if (first.distance == 0.0) {
+    return (found.atStart ? RefusalController::tr("Start pose collides: '%1' touches or overlaps %2.")
+                          : RefusalController::tr("Goal pose collides: '%1' touches or overlaps %2."))
+        .arg(object, body);
+  }
+  return (found.atStart ? RefusalController::tr("Start pose too close: '%1' is %2 away from %3, required %4.")
+                        : RefusalController::tr("Goal pose too close: '%1' is %2 away from %3, required %4."))
+      .arg(object, lengthText(first.distance), body, lengthText(required));
+}
+
 /// Marks the pair as an accepted fit. An overlap within a fit's allowance is no refusal.
 void accept(FitSettings& fits, const std::string& object, const std::string& body) {
   const auto isPair = [&](const FitEdit& edit) {
@@ -109,7 +129,9 @@ void RefusalController::showProblem(const SessionSnapshot& snapshot) {
   Notice notice{tr("The run ended without a path."), diagnosticText(why), {}};
   const std::string place = toString(why.location);
   const bool atEnds = place == "start" || place == "goal";
-  if (atEnds) notice.title = place == "start" ? tr("The start is refused.") : tr("The goal is refused.");
+  if (atEnds) {
+    notice.title = place == "start" ? tr("The start pose cannot be used.") : tr("The goal pose cannot be used.");
+  }
   switch (why.kind) {
     case ErrorKind::InCollision: notice.actions = {"refusal.show", "refusal.allow", "assembly.free-ends"}; break;
     case ErrorKind::MalformedInput: notice.actions = {"assembly.fit-workspace"}; break;
@@ -124,7 +146,7 @@ void RefusalController::showProblem(const SessionSnapshot& snapshot) {
 }
 
 void RefusalController::showRefusedPath(const PathExamination& refused) {
-  Notice notice{tr("The path does not hold here."), {}, {"path.first-blocked", "run.start"}};
+  Notice notice{tr("The path is no longer valid."), {}, {"path.first-blocked", "run.start"}};
   if (!refused.blocked.empty()) {
     const int body = refused.blocked.front().nearest.body;
     notice.details = tr("%n of %1 edges are blocked.", "", static_cast<int>(refused.blocked.size()))
@@ -138,7 +160,7 @@ void RefusalController::showRefusedPath(const PathExamination& refused) {
                                  .arg(QString::fromStdString(obstacles[static_cast<std::size_t>(body)].shown()));
     }
   } else {
-    notice.details = tr("Its ends are not the start and the goal.");
+    notice.details = tr("It no longer leads from the start pose to the goal pose.");
   }
   mark(nullptr);
   bar_->showNotice(notice);
@@ -160,7 +182,7 @@ void RefusalController::takeConflicts(const std::optional<EndConflicts>& found) 
     showConflicts();
     return;
   }
-  if (conflicts_) bench_.messages.showStatus(tr("Start and goal are allowed now. Press Find path (F5)."));
+  if (conflicts_) bench_.messages.showStatus(tr("Start and goal have no collisions now. Press Find path (F5)."));
   mark(nullptr);
   bar_->hide();
 }
@@ -170,17 +192,13 @@ void RefusalController::showConflicts() {
   const double required = bench_.document.settings().parameters[ParameterId::RequiredClearance];
   const std::vector<EndConflict>& all = conflicts_->conflicts;
   QStringList facts;
-  for (std::size_t i = 0; i < std::min(all.size(), kMostNamed); ++i) facts << factOf(all[i], *scenario, required);
+  if (all.size() > 1) {
+    for (std::size_t i = 0; i < std::min(all.size(), kMostNamed); ++i) facts << factOf(all[i], *scenario, required);
+  }
   if (all.size() > kMostNamed) facts << tr("and %n more", "", static_cast<int>(all.size() - kMostNamed));
-  const QString object = QString::fromStdString(scenario->object.shown());
-  const bool meets = std::any_of(all.begin(), all.end(), touches);
-  const QString title = conflicts_->atStart
-                            ? (meets ? tr("The start is refused: '%1' overlaps or touches what is there.")
-                                     : tr("The start is refused: '%1' is nearer than the required clearance."))
-                            : (meets ? tr("The goal is refused: '%1' overlaps or touches what is there.")
-                                     : tr("The goal is refused: '%1' is nearer than the required clearance."));
-  bar_->showNotice(
-      {title.arg(object), facts.join(QStringLiteral("\n")), {"refusal.show", "refusal.allow", "assembly.free-ends"}});
+  bar_->showNotice({titleOf(*conflicts_, *scenario, required),
+                    facts.join(QStringLiteral("\n")),
+                    {"refusal.show", "refusal.allow", "assembly.free-ends"}});
 }
 
 void RefusalController::mark(std::shared_ptr<const EndConflicts> conflicts) {

@@ -21,7 +21,7 @@ QColor toQt(const Colour& colour) { return QColor::fromRgbF(colour[0], colour[1]
 
 QString textOf(LegendItem item) {
   switch (item) {
-    case LegendItem::Object: return LegendOverlay::tr("Object that moves");
+    case LegendItem::Object: return LegendOverlay::tr("Moving part");
     case LegendItem::Start: return LegendOverlay::tr("Start");
     case LegendItem::Goal: return LegendOverlay::tr("Goal");
     case LegendItem::Workspace: return LegendOverlay::tr("Workspace");
@@ -36,7 +36,7 @@ QString textOf(LegendItem item) {
     case LegendItem::PathOfOperator: return LegendOverlay::tr("Path of the operator");
     case LegendItem::PathOfContact: return LegendOverlay::tr("Path in contact");
     case LegendItem::ObjectOnPath: return LegendOverlay::tr("Object along the path");
-    case LegendItem::RefusedPath: return LegendOverlay::tr("Path that does not hold");
+    case LegendItem::RefusedPath: return LegendOverlay::tr("Path no longer valid");
     case LegendItem::Blocked: return LegendOverlay::tr("Blocked part of the path");
     case LegendItem::Nearest: return LegendOverlay::tr("To the nearest obstacle");
     case LegendItem::Contact: return LegendOverlay::tr("Contact with an obstacle");
@@ -53,17 +53,17 @@ QString textOf(LegendItem item) {
     case LegendItem::CoarsePath: return LegendOverlay::tr("Coarse path");
     case LegendItem::Milestones: return LegendOverlay::tr("Milestones");
     case LegendItem::Region: return LegendOverlay::tr("Region of the step");
-    case LegendItem::InTheWay: return LegendOverlay::tr("In the way");
+    case LegendItem::InTheWay: return LegendOverlay::tr("Blocking body");
     case LegendItem::TightestPlace: return LegendOverlay::tr("Tightest place");
     case LegendItem::TreeGap: return LegendOverlay::tr("Gap of the search");
     case LegendItem::Help: return LegendOverlay::tr("Where your hand helps");
     case LegendItem::Overlap: return LegendOverlay::tr("Overlapped body");
     case LegendItem::RefusedEnd: return LegendOverlay::tr("Object where it overlaps");
-    case LegendItem::ForbiddenDirection: return LegendOverlay::tr("Forbidden direction");
+    case LegendItem::ForbiddenDirection: return LegendOverlay::tr("Ruled-out direction");
     case LegendItem::Selected: return LegendOverlay::tr("Selected");
     case LegendItem::MovingPart: return LegendOverlay::tr("Part of the step");
-    case LegendItem::WayOfPart: return LegendOverlay::tr("Its way");
-    case LegendItem::Reach: return LegendOverlay::tr("Hand that gets there");
+    case LegendItem::WayOfPart: return LegendOverlay::tr("Removal path");
+    case LegendItem::Reach: return LegendOverlay::tr("Hand with access");
     case LegendItem::ReachBlocked: return LegendOverlay::tr("Hand that is blocked");
   }
   return {};

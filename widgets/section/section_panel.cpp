@@ -241,7 +241,7 @@ void SectionPanel::clear() {
 
 void SectionPanel::showNote() {
   note_->setText(rows_.empty() ? tr("Sections cut bodies open: across an axis, or along a face that is clicked. The "
-                                    "object that moves stays whole.")
+                                    "moving part stays whole.")
                                : tr("Drag the arrows in the scene, or type a place such as 25.4 mm."));
 }
 

@@ -77,19 +77,19 @@ void AccessController::checkSequence() {
     auto found = std::make_shared<Result<PlanAccess>>(planAccess(*product, *plan, person, watch));
     return [this, plan, person, found] {
       if (!*found) {
-        bench_.messages.showError(tr("The access of the hand was not checked"), found->error());
+        bench_.messages.showError(tr("Hand access was not checked"), found->error());
         return;
       }
       const auto access = std::make_shared<const PlanAccess>(std::move(**found));
       bench_.actions["access.show"]->setChecked(true);
       sequence_.note(plan, sequence_.shown().check, access);
-      bench_.messages.showStatus(tr("Hand (%1): %2 of %3 steps are reached and seen; sampled, no proof")
+      bench_.messages.showStatus(tr("Hand (%1): %2 of %3 steps are reachable and visible; sampled, no proof")
                                      .arg(handSizeText(person.size))
                                      .arg(access->reached())
                                      .arg(access->count()));
     };
   };
-  bench_.work.run(tr("Checking the access of the hand"), work);
+  bench_.work.run(tr("Checking hand access"), work);
 }
 
 std::shared_ptr<const Path> AccessController::path() const {
@@ -108,13 +108,13 @@ void AccessController::checkPath() {
     return [this, path, found] {
       if (path != this->path()) return;
       if (!*found) {
-        bench_.messages.showError(tr("The access of the hand was not checked"), found->error());
+        bench_.messages.showError(tr("Hand access was not checked"), found->error());
         return;
       }
       takePath(path, **found);
     };
   };
-  bench_.work.run(tr("Checking the access of the hand"), work);
+  bench_.work.run(tr("Checking hand access"), work);
 }
 
 void AccessController::takePath(const std::shared_ptr<const Path>& path, const PathAccess& access) {
@@ -162,7 +162,7 @@ void AccessController::showNextUnreached() {
     bench_.messages.showStatus(accessText(steps[step], sequence_.shown().product->bodies));
     return;
   }
-  bench_.messages.showStatus(tr("The hand reaches all steps"));
+  bench_.messages.showStatus(tr("Hand access to all steps"));
 }
 
 ReachPicture AccessController::pictureOfStep() const {

@@ -14,28 +14,29 @@ class AccessTexts {
   static QString hand(const HandAnswer& hand, const std::vector<RigidBody>& bodies) {
     switch (hand.access) {
       case HandAccess::Free:
-        return hand.pushed > 0 ? tr("The hand gets there, and pushes at the end") : tr("The hand gets there");
-      case HandAccess::NoGrip: return tr("No place of the part fits into one hand");
-      case HandAccess::NotAsked: return tr("The hand was not asked");
+        return hand.pushed > 0 ? tr("The hand reaches the work, and pushes at the end")
+                               : tr("The hand reaches the work");
+      case HandAccess::NoGrip: return tr("No grasp by one hand was found");
+      case HandAccess::NotAsked: return tr("Hand access was not checked");
       case HandAccess::Blocked: break;
     }
     const int percent = static_cast<int>(std::floor(100.0 * hand.share));
-    if (!hand.blockedBy) return tr("The hand is blocked at %1 % of the way from the place").arg(percent);
-    return tr("The hand is blocked by %1, %2 % of the way from the place")
+    if (!hand.blockedBy) return tr("The hand is blocked at %1 % of the motion").arg(percent);
+    return tr("The hand is blocked by %1 at %2 % of the motion")
         .arg(QString::fromStdString(bodies[*hand.blockedBy].shown()))
         .arg(percent);
   }
 
   static QString sight(const SightAnswer& sight, const std::vector<RigidBody>& bodies) {
-    const QString seen = tr("%1 % of the place is seen").arg(static_cast<int>(std::floor(100.0 * sight.share)));
+    const QString seen = tr("%1 % of the work is visible").arg(static_cast<int>(std::floor(100.0 * sight.share)));
     if (sight.isSeen() || !sight.blockedBy) return seen;
     return tr("%1, hidden by %2").arg(seen, QString::fromStdString(bodies[*sight.blockedBy].shown()));
   }
 
   static QString mark(const MotionAccess& motion) {
     if (motion.hand.access == HandAccess::NotAsked) return {};
-    if (!motion.isReached()) return tr("no hand");
-    return motion.sight.isSeen() ? tr("reached") : tr("not seen");
+    if (!motion.isReached()) return tr("no grasp");
+    return motion.sight.isSeen() ? tr("reachable") : tr("not visible");
   }
 
   static QString size(HandSize size) {

@@ -35,10 +35,10 @@ QImage imageOfSvg(const std::string& svg, double scale) {
 }
 
 PlanGraphView::PlanGraphView(QWidget* parent) : QDialog(parent) {
-  setWindowTitle(tr("Order of the steps"));
+  setWindowTitle(tr("Precedence graph"));
   setObjectName(QStringLiteral("sequence-graph"));
   auto* picture = new QLabel(this);
-  picture->setAccessibleName(tr("An arrow leads from a step to each step that it makes way for"));
+  picture->setAccessibleName(tr("An arrow leads from a step to each step that has to come after it"));
   auto* scroll = new QScrollArea(this);
   scroll->setWidget(picture);
   scroll->setAccessibleName(windowTitle());

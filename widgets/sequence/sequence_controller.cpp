@@ -74,7 +74,7 @@ SequenceController::SequenceController(const Workbench& bench)
   connect(&planner_.task(), &BackgroundTask::ended, this, &SequenceController::enableActions);
   bench.work.show(
       planner_.task(),
-      [this] { return planner_.isPlanning() ? tr("Planning the sequence") : tr("Proving the sequence again"); },
+      [this] { return planner_.isPlanning() ? tr("Planning the sequence") : tr("Certifying the sequence again"); },
       [this] { planner_.stop(); });
   connect(panel_, &SequencePanel::sceneChanged, this, &SequenceController::showPanelsScene);
   connect(panel_, &SequencePanel::selectionChanged, this, &SequenceController::showPanelsScene);
@@ -296,7 +296,7 @@ void SequenceController::adoptDemands(const AssemblyPlan& plan) {
   if (plan.demands.together != known->together) demands.together = plan.demands.together;
   if (plan.demands.cost != known->cost) demands.cost = plan.demands.cost;
   const QScopedValueRollback<bool> adopting(adopting_, true);
-  bench_.document.setDemands(tr("Demands of the sequence that is opened"), demands);
+  bench_.document.setDemands(tr("Constraints of the opened sequence"), demands);
   panel_->setCost(demands.cost);
 }
 

@@ -100,7 +100,7 @@ void SequenceEdits::addScriptCommands() {
 void SequenceEdits::set(const QString& text, const SequenceDemands& demands) {
   const Result<StepCost> cost = StepCost::of(demands);
   if (!cost) {
-    bench_.messages.showError(tr("The sequence cannot be planned with these demands"), cost.error());
+    bench_.messages.showError(tr("The sequence cannot be planned with these constraints"), cost.error());
     sequence_.panel()->setCost(bench_.document.demands().cost);
     return;
   }
@@ -108,7 +108,7 @@ void SequenceEdits::set(const QString& text, const SequenceDemands& demands) {
   const DemandConflict conflict = conflictBetween(present, demands);
   if (conflict.isNone()) {
     bench_.document.setDemands(text, demands);
-  } else if (bench_.messages.isNewDemandPreferred(tr("Two demands exclude each other"), inWords(conflict))) {
+  } else if (bench_.messages.isNewDemandPreferred(tr("Two constraints exclude each other"), inWords(conflict))) {
     bench_.document.setDemands(text, withoutEarlier(conflict, demands));
   }
 }
@@ -183,7 +183,7 @@ void SequenceEdits::forbidWay() {
     const AssemblyStep& own = shown.plan->steps[step];
     demands = withForbidden(own.bodies(), firstDirection(own.path), std::move(demands));
   }
-  set(tr("Forbid the way of %1").arg(joinedNames(chosenBodies(), *shown.product)), demands);
+  set(tr("Rule out the direction of %1").arg(joinedNames(chosenBodies(), *shown.product)), demands);
 }
 
 void SequenceEdits::keepOrder() {
@@ -196,7 +196,7 @@ void SequenceEdits::keepOrder() {
 }
 
 void SequenceEdits::freeSteps() {
-  set(tr("No demands on %1").arg(joinedNames(chosenBodies(), *sequence_.shown().product)),
+  set(tr("No constraints on %1").arg(joinedNames(chosenBodies(), *sequence_.shown().product)),
       withoutDemandsOn(chosenBodies(), bench_.document.demands()));
 }
 
@@ -218,28 +218,28 @@ void SequenceEdits::fillDemandsMenu() {
   };
   for (const DemandedPlace& each : demands.places) {
     const QString names = joinedNames(each.bodies, product);
-    add((each.locked ? tr("%1 is locked as step %2 of removal") : tr("%1 leaves as step %2"))
+    add((each.locked ? tr("%1 is locked as step %2 of removal") : tr("%1 is removed as step %2"))
             .arg(names)
             .arg(each.place),
         removal(&SequenceDemands::places, each));
   }
   for (const DemandedMotion& each : demands.motions) {
     const QString names = joinedNames(each.bodies, product);
-    add(each.method == kByHand ? tr("%1 leaves by the motion by hand").arg(names)
+    add(each.method == kByHand ? tr("%1 is removed by the motion by hand").arg(names)
                                : tr("%1 keeps its motion").arg(names),
         removal(&SequenceDemands::motions, each));
   }
   for (const ForbiddenDirection& each : demands.forbidden) {
     const QString way = QString::fromStdString(windowPlanWords().direction(each.direction));
-    add(tr("%1 does not leave %2").arg(joinedNames({each.body}, product), way),
+    add(tr("%1 is not removed %2").arg(joinedNames({each.body}, product), way),
         removal(&SequenceDemands::forbidden, each));
   }
   for (const auto& each : demands.before) {
-    add(tr("%1 leaves before %2").arg(joinedNames({each.first}, product), joinedNames({each.second}, product)),
+    add(tr("%1 is removed before %2").arg(joinedNames({each.first}, product), joinedNames({each.second}, product)),
         removal(&SequenceDemands::before, each));
   }
   for (const auto& each : demands.together) {
-    add(tr("%1 leave as one").arg(joinedNames(each, product)), removal(&SequenceDemands::together, each));
+    add(tr("%1 are removed as one").arg(joinedNames(each, product)), removal(&SequenceDemands::together, each));
   }
   if (menu.isEmpty()) menu.addAction(tr("None"))->setEnabled(false);
 }

@@ -128,8 +128,8 @@ void SequenceHand::takePath() {
   const DemandedMotion motion = motionOfRun(bodies, path->points, bench_.document.results().provenance);
   const SequenceDemands& present = bench_.document.demands();
   const DemandConflict conflict = conflictBetween(present, withMotion(motion, present));
-  const bool taken = conflict.isNone() || bench_.messages.isNewDemandPreferred(
-                                              tr("The path leaves in a forbidden direction"), inWords(conflict));
+  const bool taken = conflict.isNone() ||
+                     bench_.messages.isNewDemandPreferred(tr("The path uses a ruled-out direction"), inWords(conflict));
   if (!taken) return;
   const auto step = run_->step;
   const QString name = nameOf(*run_);

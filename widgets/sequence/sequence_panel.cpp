@@ -46,14 +46,14 @@ SequencePanel::SequencePanel(const ActionCatalogue& actions, QWidget* parent)
       place_(new QLabel(this)),
       cost_(new QComboBox(this)),
       edits_(new QMenu(tr("Step"), this)),
-      demands_(new QMenu(tr("&Demands"), this)) {
+      demands_(new QMenu(tr("Co&nstraints"), this)) {
   summary_->setWordWrap(true);
   summary_->setTextFormat(Qt::PlainText);
   summary_->setObjectName(QStringLiteral("sequence-summary"));
   play_->setAccessibleName(tr("Place in the sequence"));
   play_->setToolTip(tr("Place in the sequence"));
   explode_->setAccessibleName(tr("Exploded view"));
-  explode_->setToolTip(tr("Moves the parts apart along the directions in which they leave"));
+  explode_->setToolTip(tr("Moves the parts apart along their directions of removal"));
   addEditing(actions);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
@@ -79,7 +79,7 @@ SequencePanel::SequencePanel(const ActionCatalogue& actions, QWidget* parent)
 
 /// Fills the menu of edits of a step, which the table and a button show.
 void SequencePanel::addEditing(const ActionCatalogue& actions) {
-  auto* forbid = new QMenu(tr("&Forbid a direction"), this);
+  auto* forbid = new QMenu(tr("Rule out a &direction"), this);
   forbid->addAction(actions["sequence.forbid-way"]);
   for (const char* axis : {"+x", "-x", "+y", "-y", "+z", "-z"}) {
     const QString id = QLatin1String(axis);
@@ -108,7 +108,7 @@ QLayout* SequencePanel::makePlanningRow(const ActionCatalogue& actions) {
   qobject_cast<QToolButton*>(row->itemAt(0)->widget())->setToolButtonStyle(Qt::ToolButtonTextOnly);
   auto* step = new QToolButton(this);
   step->setText(tr("Ste&p"));
-  step->setToolTip(tr("Move, lock or free the chosen step, or move its part by hand"));
+  step->setToolTip(tr("Move, lock or free the selected step, or move its part by hand"));
   step->setAutoRaise(true);
   step->setFocusPolicy(Qt::TabFocus);
   step->setPopupMode(QToolButton::InstantPopup);
@@ -139,8 +139,8 @@ QLayout* SequencePanel::makeExplodingRow() {
   cost_->setInsertPolicy(QComboBox::NoInsert);
   cost_->setAccessibleName(tr("What a step costs"));
   cost_->setToolTip(
-      tr("The order that costs least is chosen. An expression, as 5 * tool_change + length, or one of the "
-         "list; the last of it keeps the order in which the parts were found to leave"));
+      tr("The order that costs least is used. An expression, as 5 * tool_change + length, or one of the list; the last "
+         "of it keeps the order in which the removals were found"));
   for (const StepCostPreset& preset : stepCostPresets()) {
     const QString id = QString::fromStdString(preset.id);
     const QString shown = engineText(preset.label);
@@ -203,10 +203,10 @@ void SequencePanel::setPlan(const ShownPlan& shown) {
 QString SequencePanel::leaving(const AssemblyPlan& plan) {
   const auto removed = static_cast<int>(plan.removed());
   const auto open = static_cast<int>(plan.removedWithoutProof());
-  if (removed == 0) return tr("None of %1 parts leaves.").arg(plan.parts());
-  if (open == 0) return tr("%n of %1 parts leave, every motion certified.", "", removed).arg(plan.parts());
-  return tr("%n of %1 parts leave,", "", removed).arg(plan.parts()) + QLatin1Char(' ') +
-         tr("%n of them without a proof.", "", open);
+  if (removed == 0) return tr("0 of %1 parts removed.").arg(plan.parts());
+  if (open == 0) return tr("%n of %1 parts removed, every motion certified.", "", removed).arg(plan.parts());
+  return tr("%n of %1 parts removed,", "", removed).arg(plan.parts()) + QLatin1Char(' ') +
+         tr("%n of them without a certificate.", "", open);
 }
 
 QString SequencePanel::summary() const {
@@ -216,7 +216,7 @@ QString SequencePanel::summary() const {
   const AssemblyPlan& plan = *shown_.plan;
   QString text = leaving(plan);
   const QString base = table_->shortNames(plan.staying);
-  if (!base.isEmpty()) text += QLatin1Char(' ') + tr("%1 stays.").arg(base);
+  if (!base.isEmpty()) text += QLatin1Char(' ') + tr("Base: %1.").arg(base);
   if (shown_.growing) return text + QLatin1Char(' ') + tr("Planning…");
   switch (plan.end) {
     case PlanEnd::Complete: break;
@@ -225,16 +225,16 @@ QString SequencePanel::summary() const {
         text += QLatin1Char(' ') + tr("%n stuck.", "", static_cast<int>(plan.parts() - plan.removed()));
       break;
     case PlanEnd::TimeLimit: text += QLatin1Char(' ') + tr("The time limit was reached."); break;
-    case PlanEnd::Interrupted: text += QLatin1Char(' ') + tr("Stopped before the end."); break;
+    case PlanEnd::Interrupted: text += QLatin1Char(' ') + tr("Stopped. Results kept."); break;
   }
   const auto forced = std::count_if(plan.steps.begin(), plan.steps.end(),
                                     [](const AssemblyStep& step) { return !step.violates.empty(); });
   if (forced > 0) text += QLatin1Char(' ') + tr("%n forced.", "", static_cast<int>(forced));
   const auto joined = static_cast<int>(plan.removed() - bodiesApart(plan));
-  if (joined > 0) text += QLatin1Char(' ') + tr("%n leave in groups that are not taken apart.", "", joined);
+  if (joined > 0) text += QLatin1Char(' ') + tr("%n in groups that are not disassembled.", "", joined);
   const auto& checks = shown_.check.steps;
   const auto refuted = std::count(checks.begin(), checks.end(), StepCheck::Disagrees);
-  if (refuted > 0) text += QLatin1Char(' ') + tr("%n step(s) do not hold here.", "", static_cast<int>(refuted));
+  if (refuted > 0) text += QLatin1Char(' ') + tr("%n step(s) are no longer valid.", "", static_cast<int>(refuted));
   for (const Message& condition : shown_.check.conditions) {
     text += QLatin1Char(' ') + tr("Valid only if %1.").arg(engineText(condition));
   }

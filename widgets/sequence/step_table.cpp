@@ -58,19 +58,19 @@ QString largestAllowanceText(const AssemblyStep& step) {
 QString checkText(StepCheck check) {
   switch (check) {
     case StepCheck::NotAsked: return StepTable::tr("certified");
-    case StepCheck::Agrees: return StepTable::tr("✓ proved");
+    case StepCheck::Agrees: return StepTable::tr("✓ certified");
     case StepCheck::Disagrees: break;
   }
-  return StepTable::tr("✗ not here");
+  return StepTable::tr("✗ not valid");
 }
 
 QString checkTip(StepCheck check) {
   switch (check) {
     case StepCheck::NotAsked: return StepTable::tr("certified when it was found");
-    case StepCheck::Agrees: return StepTable::tr("proved again by the independent check");
+    case StepCheck::Agrees: return StepTable::tr("certified again by the independent check");
     case StepCheck::Disagrees: break;
   }
-  return StepTable::tr("does not hold in this arrangement");
+  return StepTable::tr("not valid in this arrangement");
 }
 
 /// Shows the beginning of texts that are too long.
@@ -132,13 +132,13 @@ StepTable::StepTable(IconOf iconOf, QWidget* parent) : QTreeWidget(parent), icon
   keepUnchosen(*this);
   setColumnCount(StepColumns);
   setHeaderLabels({tr("No."), twoLines(tr("Part"), tr("Motion")), twoLines(tr("Clearance"), tr("Allowance")),
-                   twoLines(tr("Tool"), tr("Standing")), tr("State")});
+                   twoLines(tr("Tool"), tr("Support")), tr("State")});
   headerItem()->setToolTip(StepGaps, tr("Above: smallest distance to other parts. Below: the largest allowance of the "
                                         "step; its tool tip lists all"));
-  headerItem()->setToolTip(StepTools, tr("Above: the tool that turns the fastener, and what it cannot be brought past. "
-                                         "Below: parts that would tip or fall, or what a forced step does not keep"));
-  headerItem()->setToolTip(StepState,
-                           tr("Above: whether the motion is proved. Below: what a person has done to the step"));
+  headerItem()->setToolTip(
+      StepTools, tr("Above: the tool that turns the fastener, and what blocks it. Below: parts that need support "
+                    "because they would tip or fall, or the constraints that a forced step violates"));
+  headerItem()->setToolTip(StepState, tr("Above: whether the motion is certified. Below: edits of the step"));
   setRootIsDecorated(false);
   setAlternatingRowColors(true);
   setIconSize({kPictureSize, kPictureSize});
@@ -240,7 +240,7 @@ void StepTable::addStep(std::size_t place) {
   row->setTextAlignment(StepGaps, Qt::AlignRight | Qt::AlignVCenter);
   QStringList gaps;
   if (isNear) {
-    gaps << tr("proved %1; smallest %2 to %3")
+    gaps << tr("certified %1; smallest %2 to %3")
                 .arg(lengthText(step.proof.provedClearance), lengthText(step.proof.minClearance),
                      nameOf(step.proof.nearest));
   }
@@ -300,7 +300,7 @@ void StepTable::addStuck(const StuckBody& stuck) {
   QStringList sentences{tr("%1 is stuck.").arg(shortNames({stuck.body}))};
   if (!stuck.blockedBy.empty()) sentences << tr("Blocked by %1.").arg(shortNames(stuck.blockedBy));
   if (!stuck.reason.empty()) sentences << sentence(engineText(stuck.reason));
-  sentences << tr("Next: move it by hand (menu of the row), or look at the order as a graph.");
+  sentences << tr("Next: move it by hand (menu of the row), or see the precedence graph.");
   row->setText(StepNumber, sentences.join(QLatin1Char(' ')));
   row->setToolTip(StepNumber, twoLines(nameOf(stuck.body), allNames(stuck.blockedBy)).trimmed());
 }

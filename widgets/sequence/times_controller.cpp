@@ -88,7 +88,7 @@ TimesController::TimesController(const Workbench& bench, SequenceController& seq
     if (std::exchange(isOutdated_, false)) update();
   });
   bench.work.show(
-      task_, [] { return tr("Dividing the work"); }, [this] { task_.cancel(); });
+      task_, [] { return tr("Balancing the line"); }, [this] { task_.cancel(); });
   enableAction();
   addTimesCommands(bench, *this);
 }
@@ -154,11 +154,11 @@ void TimesController::divide(const PlanPtr& plan, const ProductPtr& product) {
       if (timing) {
         view_->setTiming(*timing, graphColours(bench_.window.palette()));
       } else {
-        bench_.messages.showError(tr("The work cannot be divided"), timing.error());
+        bench_.messages.showError(tr("The line cannot be balanced"), timing.error());
       }
     };
   };
-  task_.start(GLISSADE_TEXT("dividing the work"), work, bench_.work.isAtOnce());
+  task_.start(GLISSADE_TEXT("balancing the line"), work, bench_.work.isAtOnce());
 }
 
 std::optional<Diagnostic> TimesController::openTable(const QString& file) {

@@ -26,12 +26,10 @@ QString sourceOf(const PlanTiming& timing) {
 
 QString summaryOf(const PlanTiming& timing) {
   QStringList lines;
-  lines << TimesView::tr("One person needs %1. The longest chain of steps takes %2: no number of people is faster.")
+  lines << TimesView::tr("One person: %1. Critical path: %2, the minimum, however many people.")
                .arg(seconds(timing.sum()), seconds(timing.chainSeconds()));
   if (timing.line) {
-    lines << TimesView::tr(
-                 "A product leaves the line every %1. No division is faster than %2. People work %3 % of "
-                 "the time.")
+    lines << TimesView::tr("Cycle time %1, minimum %2. Utilization %3 %.")
                  .arg(seconds(timing.line->cycle), seconds(timing.line->least))
                  .arg(100.0 * timing.line->efficiency(), 0, 'f', 0);
   }
@@ -48,7 +46,7 @@ TimesView::TimesView(QWidget* parent)
       chart_(new QLabel(this)),
       pages_(new QTabWidget(this)),
       table_(new WorkTimesEditor(this)) {
-  setWindowTitle(tr("Times of the assembly"));
+  setWindowTitle(tr("Assembly times"));
   setObjectName(QStringLiteral("sequence-times"));
   stations_->setObjectName(QStringLiteral("times-stations"));
   stations_->setRange(1, kMostStations);

@@ -34,7 +34,7 @@ bool Messages::isNewDemandPreferred(const QString& title, const Diagnostic& conf
     return false;
   }
   PlainMessageBox box(QMessageBox::Question, title, title, engineText(conflict.reason), &window_);
-  box.addButton(QCoreApplication::translate("Messages", "&Keep the earlier demand"), QMessageBox::RejectRole);
+  box.addButton(QCoreApplication::translate("Messages", "&Keep the earlier constraint"), QMessageBox::RejectRole);
   const QPushButton* newer = box.addButton(QCoreApplication::translate("Messages", "&Remove it and take the new one"),
                                            QMessageBox::AcceptRole);
   box.exec();

@@ -34,10 +34,10 @@ QString statusText(const SessionSnapshot& snapshot) {
   if (snapshot.problem) {
     const Diagnostic& why = *snapshot.problem;
     if (toString(why.location) == "start") {
-      return say(QT_TRANSLATE_NOOP("Status", "The start is refused: see the message over the scene."));
+      return say(QT_TRANSLATE_NOOP("Status", "The start pose cannot be used: see the message over the scene."));
     }
     if (toString(why.location) == "goal") {
-      return say(QT_TRANSLATE_NOOP("Status", "The goal is refused: see the message over the scene."));
+      return say(QT_TRANSLATE_NOOP("Status", "The goal pose cannot be used: see the message over the scene."));
     }
     const QString place = why.location.empty() ? QString() : engineText(why.location) + QStringLiteral(": ");
     return place + diagnosticText(why);
@@ -46,7 +46,7 @@ QString statusText(const SessionSnapshot& snapshot) {
     case SessionState::Idle:
       if (snapshot.refused) {
         return say(
-            QT_TRANSLATE_NOOP("Status", "The path does not hold here: see Path. Find path (F5) looks for another."));
+            QT_TRANSLATE_NOOP("Status", "The path is no longer valid: see Path. Find path (F5) looks for another."));
       }
       return say(QT_TRANSLATE_NOOP("Status", "Ready. Press Find path (F5), or steer with the keys."));
     case SessionState::Planning:
@@ -57,9 +57,10 @@ QString statusText(const SessionSnapshot& snapshot) {
                                               : say(QT_TRANSLATE_NOOP("Status", "Planning: growing two trees"));
     case SessionState::Paused: return say(QT_TRANSLATE_NOOP("Status", "Paused"));
     case SessionState::Solved:
-      if (snapshot.run == 0) return say(QT_TRANSLATE_NOOP("Status", "The path holds: certified free of penetration"));
+      if (snapshot.run == 0)
+        return say(QT_TRANSLATE_NOOP("Status", "The path is valid: certified free of penetration"));
       return say(QT_TRANSLATE_NOOP("Status", "Solved: the path is certified free of penetration"));
-    case SessionState::Stopped: return say(QT_TRANSLATE_NOOP("Status", "Stopped: what was found is still shown"));
+    case SessionState::Stopped: return say(QT_TRANSLATE_NOOP("Status", "Stopped. Results kept."));
     case SessionState::Failed: return say(QT_TRANSLATE_NOOP("Status", "Failed"));
   }
   return {};

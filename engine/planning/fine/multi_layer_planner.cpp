@@ -26,7 +26,7 @@ std::string joined(const std::vector<std::string>& names) {
 
 /// "the topological graph has no way from start to goal; forbidden: P4"
 Message noWay(const CoarsePlan& plan) {
-  Message reason = GLISSADE_TEXT("the topological graph has no way from start to goal");
+  Message reason = GLISSADE_TEXT("the topological graph has no path from start to goal");
   if (!plan.forbidden.empty()) reason = {GLISSADE_TEXT("%1; forbidden: %2"), {reason, joined(plan.forbidden)}};
   if (!plan.infiniteCost.empty()) {
     reason = {GLISSADE_TEXT("%1; of infinite cost by the rules: %2"), {reason, joined(plan.infiniteCost)}};
@@ -210,7 +210,7 @@ void MultiLayerPlanner::crossPlace(PlannerHost& host) {
       choice_ = fallbackFor(coarse_->rules(), choice_);
       startLocalPlanner(host);
     } else {
-      stepFailed(host, {GLISSADE_TEXT("place %1 was not crossed"), {step.placeName}});
+      stepFailed(host, {GLISSADE_TEXT("no way through place %1"), {step.placeName}});
     }
   } else if (spent > 0 && step.randomConfigurations % kPublishEvery == 0) {
     publish();
@@ -257,7 +257,7 @@ void MultiLayerPlanner::stepFailed(PlannerHost& host, const Message& reason) {
   milestoneSampler_.reset();
   milestoneDraws_ = 0;
   if (!coarse_->rules().loop) {
-    fail(reason, GLISSADE_TEXT("Change the semantic attributes, or use the strategy Layers (gts)."));
+    fail(reason, GLISSADE_TEXT("Relax its attributes, or use Layers (gts)."));
     return;
   }
   // The milestones are drawn anew, because they may be the reason for the failure.

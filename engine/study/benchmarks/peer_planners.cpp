@@ -6,17 +6,16 @@ namespace glissade {
 
 void registerPeerPlanners(PlannerRegistry& registry) {
   const auto add = [&](const std::string& id, const std::string& algorithm, OmplAlgorithm which) {
-    registry.add(withScrewMotions(
-        {std::string(kPeerPrefix) + id,
-         {GLISSADE_TEXT("For comparison: unmodified %1"), {algorithm}},
-         {GLISSADE_TEXT("%1 as OMPL's users run it: collisions by FCL, edges looked at every so often; the "
-                        "first path is judged by our certificate."),
-          {algorithm}},
-         false,
-         false,
-         [which](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
-           return std::make_unique<OmplPlanner>(problem, seed, which, OmplManner::AsItIs);
-         }}));
+    registry.add(withScrewMotions({std::string(kPeerPrefix) + id,
+                                   {GLISSADE_TEXT("For comparison: unmodified %1"), {algorithm}},
+                                   {GLISSADE_TEXT("%1 as OMPL's users run it: collisions by FCL, edges sampled at "
+                                                  "intervals; the first path is checked by our certificate."),
+                                    {algorithm}},
+                                   false,
+                                   false,
+                                   [which](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
+                                     return std::make_unique<OmplPlanner>(problem, seed, which, OmplManner::AsItIs);
+                                   }}));
   };
   add("rrtconnect", "RRT-Connect", OmplAlgorithm::RrtConnect);
   add("rrt", "RRT", OmplAlgorithm::Rrt);

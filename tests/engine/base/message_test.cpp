@@ -36,13 +36,13 @@ TEST(Message, TextsThatTheCatalogueHasNotAreEnglish) {
 }
 
 TEST(Message, WordsAgreeWithTheirNumber) {
-  const auto leaving = [](std::size_t parts) {
-    return Message{GLISSADE_TEXT("%1 of %2 {2|part|parts} {1|leaves|leave} in %3 {3|step|steps}"), {parts, 2, 1}};
+  const auto certified = [](std::size_t steps) {
+    return Message{GLISSADE_TEXT("%1 of %2 {2|step|steps} {1|is|are} certified, %3"), {steps, 2, "2 mm"}};
   };
-  EXPECT_EQ(toString(leaving(0)), "0 of 2 parts leave in 1 step");
-  EXPECT_EQ(toString(leaving(1)), "1 of 2 parts leaves in 1 step");
-  EXPECT_EQ(toString(leaving(0), Language::French), "0 pièce sur 2 sort en 1 étape");
-  EXPECT_EQ(toString(leaving(2), Language::French), "2 pièces sur 2 sortent en 1 étape");
+  EXPECT_EQ(toString(certified(0)), "0 of 2 steps are certified, 2 mm");
+  EXPECT_EQ(toString(certified(1)), "1 of 2 steps is certified, 2 mm");
+  EXPECT_EQ(toString(certified(0), Language::French), "0 étape sur 2 est certifiée, 2 mm");
+  EXPECT_EQ(toString(certified(2), Language::French), "2 étapes sur 2 sont certifiées, 2 mm");
 }
 
 TEST(Message, BracesThatAreNoFormsStay) {

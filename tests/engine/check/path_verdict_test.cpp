@@ -36,7 +36,7 @@ TEST(PathVerdict, AnInventedAllowanceIsRefusedWithThePairAndBothNumbers) {
   const PathVerdict verdict = judgePath(question, straightUp(0.0012));
   EXPECT_FALSE(verdict.valid());
   ASSERT_EQ(verdict.refusals.size(), 1U);
-  for (const char* part : {"'knob'", "'lip'", "1.2 mm", "0.77", "overlap", "let a person allow it"}) {
+  for (const char* part : {"'knob'", "'lip'", "1.2 mm", "0.77", "overlap", "allow it for this pair"}) {
     const std::string refusal = toString(verdict.refusals[0]);
     EXPECT_NE(refusal.find(part), std::string::npos) << part << ": " << refusal;
   }

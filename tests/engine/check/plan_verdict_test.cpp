@@ -56,7 +56,7 @@ TEST(PlanVerdict, RefusesAPathThatEndsInsideAndAllowancesOfItsOwn) {
   const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt);
   EXPECT_FALSE(verdict.steps[0].endsOutside);
   ASSERT_FALSE(verdict.steps[1].refusals.empty());
-  EXPECT_NE(toString(verdict.steps[1].refusals[0]).find("'pin' 1 mm thinner against 'cabinet'"), std::string::npos);
+  EXPECT_NE(toString(verdict.steps[1].refusals[0]).find("1 mm of 'pin' on 'cabinet'"), std::string::npos);
   EXPECT_TRUE(verdict.steps[2].valid());
 }
 
@@ -68,7 +68,7 @@ TEST(PlanVerdict, RefusesAnAllowanceAgainstWhatHasLeft) {
   plan.steps[2].allowances.push_back({"cap", ContactKind::Planar, 0.0, 1e-3, {}});
   const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt);
   ASSERT_FALSE(verdict.steps[2].refusals.empty());
-  EXPECT_NE(toString(verdict.steps[2].refusals[0]).find("'drawer' 1 mm thinner against 'cap'"), std::string::npos);
+  EXPECT_NE(toString(verdict.steps[2].refusals[0]).find("1 mm of 'drawer' on 'cap'"), std::string::npos);
 }
 
 /// A demand that the judge cannot read is not ignored.

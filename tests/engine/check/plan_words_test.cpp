@@ -69,7 +69,7 @@ TEST_F(PlanOfWords, SaysHowPartsLeave) {
   EXPECT_TRUE(group.valid());
   EXPECT_EQ(group.outcome(), PlanOutcome::Incomplete);
   EXPECT_EQ(group.inGroups, 2U);
-  EXPECT_THAT(check::reportText(group, judgedProduct(product)), HasSubstr("2 in groups that are not taken apart"));
+  EXPECT_THAT(check::reportText(group, judgedProduct(product)), HasSubstr("2 in groups that are not disassembled"));
 
   plan.steps[0].unit = true;
   EXPECT_EQ(verdict().outcome(), PlanOutcome::Conditional);
@@ -95,7 +95,7 @@ TEST_F(PlanOfWords, APartWithoutAStepIsNotComplete) {
   plan.staying.emplace_back("drawer");
   plan.end = PlanEnd::Complete;
   EXPECT_EQ(verdict().outcome(), PlanOutcome::Conditional);
-  EXPECT_THAT(conditions(), ElementsAre("'cabinet', 'drawer' stay as the base"));
+  EXPECT_THAT(conditions(), ElementsAre("'cabinet', 'drawer' are fixed as base"));
   said.stay = {"cabinet", "drawer"};
   EXPECT_EQ(verdict().outcome(), PlanOutcome::Valid);
 }
@@ -106,7 +106,7 @@ TEST_F(PlanOfWords, AFlexibleBodyIsAPersonsWord) {
   belt.joints.emplace_back().kind = JointKind::Flexible;
   belt.joints[0].body = "pin";
   EXPECT_EQ(verdict().outcome(), PlanOutcome::Conditional);
-  EXPECT_THAT(conditions(), ElementsAre("'pin' is flexible, so that its motion needs no proof"));
+  EXPECT_THAT(conditions(), ElementsAre("'pin' is flexible, so that its motion needs no certificate"));
   plan.demands.joints = {JointEdit{{JointKind::Flexible, "pin", {}}, JointEdit::Word::Confirmed}};
   EXPECT_EQ(verdict().outcome(), PlanOutcome::Conditional) << "the plan confirms itself";
   confirm(JointKind::Flexible, "pin", {});
@@ -124,13 +124,14 @@ TEST_F(PlanOfWords, ADemandIsGivenUpOnlyUnderACondition) {
     EXPECT_EQ(verdict().outcome(), PlanOutcome::Invalid);
     plan.steps[0].violates = {{StepViolation::Rule::Before, {"drawer"}}};
     EXPECT_EQ(verdict().outcome(), PlanOutcome::Conditional);
-    EXPECT_THAT(conditions(), ElementsAre("'pin' may leave before 'drawer', although the reverse is demanded"));
+    EXPECT_THAT(conditions(),
+                ElementsAre("'pin' may be removed before 'drawer', although a constraint states the reverse"));
   }
   plan.demands = {};
   said = {};
   plan.steps[0].violates = {{StepViolation::Rule::Place, {}}};
   said.places = {{{"pin"}, 2}};
-  EXPECT_THAT(conditions(), ElementsAre("'pin' may leave as number 1, although it is demanded as number 2"));
+  EXPECT_THAT(conditions(), ElementsAre("'pin' may be removed as number 1, although a constraint states number 2"));
   plan.steps[0].violates = {{StepViolation::Rule::Standing, {"drawer"}}};
   said.places.clear();
   EXPECT_THAT(conditions(), ElementsAre());

@@ -132,7 +132,7 @@ TEST(ReadQuestion, WhatIsLeftOutIsNotThereAndIsSaid) {
   EXPECT_EQ(read->product.bodies.size(), 4U);
   ASSERT_EQ(read->product.warnings.size(), 1U);
   EXPECT_EQ(toString(read->product.warnings.front().location), "'rack/d'");
-  EXPECT_EQ(toString(read->product.warnings.front().reason), "is left out");
+  EXPECT_EQ(toString(read->product.warnings.front().reason), "is excluded");
 }
 
 TEST(ReadQuestion, ForbiddenRegionsAndPitchesAreRead) {

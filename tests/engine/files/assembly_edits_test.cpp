@@ -171,7 +171,7 @@ TEST(AssemblyEdits, WhatIsLeftOutIsKeptAndComesBack) {
                      {{JointKind::Screw, "a", {"c"}}, JointEdit::Word::Confirmed, Joint{}, {"b"}}};
   ASSERT_TRUE(leaveOut("b", scenario).ok());
   expectRefused(leaveOut("b", scenario), "no such body");
-  expectRefused(leaveOut("a", scenario), "is what moves");
+  expectRefused(leaveOut("a", scenario), "is the moving part");
   EXPECT_EQ(scenario.fits.pairs.size(), 1U) << "nothing is said about what is not there";
   ASSERT_EQ(scenario.joints.size(), 1U);
   EXPECT_TRUE(scenario.joints[0].clamped.empty());
@@ -183,7 +183,7 @@ TEST(AssemblyEdits, WhatIsLeftOutIsKeptAndComesBack) {
   ASSERT_TRUE(without) << toString(without.error());
   EXPECT_EQ(without->obstacles.size(), 2U);
   EXPECT_TRUE(std::any_of(without->warnings.begin(), without->warnings.end(), [](const Diagnostic& warning) {
-    return toString(warning.reason).find("leaves bodies out: 'rack/b'") != std::string::npos;
+    return toString(warning.reason).find("excludes bodies: 'rack/b'") != std::string::npos;
   })) << "a proof is about what is there";
   Scenario back = *read;
   ASSERT_TRUE(putBack("b", back).ok());

@@ -154,7 +154,7 @@ TEST(ScenarioOfParts, IdsComeFromFileNamesAndAreUnique) {
 TEST(ScenarioOfParts, OnePartMovesOrSeveralAsOne) {
   const TrayProduct product;
   expectRefused(scenarioOfParts({}), ErrorKind::Usage, "", "no part");
-  expectRefused(scenarioOfParts({partOf(product.tray)}), ErrorKind::Usage, "", "no part moves");
+  expectRefused(scenarioOfParts({partOf(product.tray)}), ErrorKind::Usage, "", "no part is the moving part");
   const auto both = scenarioOfParts({partOf(product.tray, PartRole::Moves), partOf(product.block, PartRole::Moves)});
   ASSERT_TRUE(both) << toString(both.error());
   EXPECT_TRUE(both->bodies.empty());

@@ -155,7 +155,7 @@ TEST(LoadScenario, ParametersOutOfRangeAreNamed) {
   Scenario scenario = boxScenario();
   scenario.parameters[ParameterId::Alpha] = 1.5;
   const Result<LoadedScenario> loaded = load(scenario);
-  expectRefused(loaded, "boxes.json", "Authority");
+  expectRefused(loaded, "boxes.json", "Computer share");
   EXPECT_EQ(toString(loaded.error().location), "/parameters/alpha");
 }
 

@@ -12,13 +12,13 @@ inline AssemblyPlan somePlan() {
   plan.bodies = {"plate", "nut", "bolt", "rod"};
   plan.staying = {"plate"};
   const Pose away{{0.1, 0.25, -3.0}, fromRollPitchYaw(0.1, 0.2, 0.3)};
-  AssemblyStep nut{"nut",
-                   {{Pose::identity(), Author::Computer}, {away, Author::Contact}},
-                   "straight",
-                   1,
-                   {0, 1e-6, 2e-6, 3e-6, "bolt"},
-                   {{"bolt", ContactKind::Thread, 4e-4, 4.1e-4,
-                     Message("nut taken 0.41 mm thinner on the thread of bolt (thread)")}}};
+  AssemblyStep nut{
+      "nut",
+      {{Pose::identity(), Author::Computer}, {away, Author::Contact}},
+      "straight",
+      1,
+      {0, 1e-6, 2e-6, 3e-6, "bolt"},
+      {{"bolt", ContactKind::Thread, 4e-4, 4.1e-4, Message("nut, 0.41 mm on the thread of bolt (thread)")}}};
   nut.allowances.front().evidence = {4e-4, 1e-5, 1e-9, 1e-6, 2e-5};
   plan.steps.push_back(nut);
   plan.bodies.insert(plan.bodies.end(), {"wheel", "bearing"});
@@ -26,7 +26,8 @@ inline AssemblyPlan somePlan() {
   group.proof.required = 1e-6;
   group.with = {"bearing"};
   group.after = {1};
-  group.allowances = {{"plate", ContactKind::Press, 0.0, 1e-5, Message("plate taken thinner"), "bearing", true}};
+  group.allowances = {
+      {"plate", ContactKind::Press, 0.0, 1e-5, Message("plate, 0.01 mm on bearing (press)"), "bearing", true}};
   group.falling = {"rod"};
   plan.steps.push_back(group);
   plan.steps.front().fastener = FastenerKind::Nut;

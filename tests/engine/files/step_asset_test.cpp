@@ -98,7 +98,7 @@ TEST_F(StepAsset, AProductFileTakesADeflectionAndAScenarioDoesNot) {
   const auto refused = readProduct(file, {}, 1e-5);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, ErrorKind::Usage);
-  EXPECT_THAT(toString(refused.error().reason), HasSubstr("deflection"));
+  EXPECT_THAT(toString(refused.error().reason), HasSubstr("mesh tolerance"));
 }
 
 TEST_F(StepAsset, TheHashOfAFileAloneIsThatOfItsBytes) {

@@ -76,7 +76,7 @@ TEST(ObjectFits, AnAcceptedRodThroughAPlateLeavesAlongAHoleOfItsOwnShape) {
   EXPECT_TRUE(fits->allowed[0].hollow && fits->allowed[0].yields) << "the plate, which is the larger one";
   EXPECT_LT(fits->allowed[1].allowance, 1e-5);
   EXPECT_EQ(toString(inWords(fits->allowed[0], "rod", "plate")),
-            "plate taken without what overlaps rod, up to 3 mm deep (accepted clash)");
+            "plate without what overlaps rod, up to 3 mm deep (accepted clash)");
   const auto query = withFits(CollisionWorld::build(obstacles, rod.mesh), rod.mesh, fits->allowed)->makeQuery();
   const auto to = [&](const Vector3& way) {
     return query->checkMotion(rod.X_WB, Pose::translation(way), 2e-7, SeekViolation::Any, {}).status;
@@ -87,15 +87,13 @@ TEST(ObjectFits, AnAcceptedRodThroughAPlateLeavesAlongAHoleOfItsOwnShape) {
 
 TEST(ObjectFits, SaysItInWords) {
   const Fit screw{{"plate", ContactKind::Thread, 0.0004, 0.00041}, 0, 0, Fit::Role::Shaft};
-  EXPECT_EQ(toString(inWords(screw, "screw", "plate")),
-            "screw taken 0.41 mm thinner in the tapped hole of plate (thread)");
+  EXPECT_EQ(toString(inWords(screw, "screw", "plate")), "screw, 0.41 mm in the tapped hole of plate (thread)");
   const Fit nut{{"bolt", ContactKind::Cylindrical, 0.0, 0.0000213}, 0, 0, Fit::Role::Hole};
-  EXPECT_EQ(toString(inWords(nut, "nut", "bolt")), "nut taken 0.0213 mm thinner on the shaft of bolt (cylindrical)");
+  EXPECT_EQ(toString(inWords(nut, "nut", "bolt")), "nut, 0.0213 mm on the shaft of bolt (cylindrical)");
   Fit block{{"plate", ContactKind::Planar, 0.0, 0.000001}};
-  EXPECT_EQ(toString(inWords(block, "block", "plate")), "block taken 0.001 mm thinner against plate (planar)");
+  EXPECT_EQ(toString(inWords(block, "block", "plate")), "block, 0.001 mm on plate (planar)");
   block.evidence.byPerson = 1e-6;
-  EXPECT_EQ(toString(inWords(block, "block", "plate")),
-            "block taken 0.001 mm thinner against plate (planar, as a person allows)");
+  EXPECT_EQ(toString(inWords(block, "block", "plate")), "block, 0.001 mm on plate (planar, user-defined)");
 }
 
 TEST(ObjectFits, AllowsNothingToBodiesThatStandApart) {

@@ -78,7 +78,7 @@ TEST_F(SplitProduct, WhatIsMissingIsToldAndTheRestLoads) {
   EXPECT_THAT(pathsOf(*product), ElementsAre("plate", "pump/housing", "pump/rotor"));
   ASSERT_EQ(product->warnings.size(), 1U);
   EXPECT_EQ(toString(product->warnings[0].location), "part 'pin', 'pin#2'");
-  EXPECT_THAT(toString(product->warnings[0].reason), HasSubstr("is missing, and proofs take it as free space"));
+  EXPECT_THAT(toString(product->warnings[0].reason), HasSubstr("is missing, and certificates take it as free space"));
   EXPECT_THAT(toString(product->warnings[0].reason), HasSubstr("'split-pin.stp' is not there"));
   EXPECT_THAT(toString(product->warnings[0].reason), HasSubstr(folder.path()));
 }

@@ -186,7 +186,7 @@ TEST(MalformedStep, AFaceThatIsLostIsToldWithItsEntityAndItsConsequence) {
     EXPECT_EQ(toString(warning.location), loss.entity);
     EXPECT_THAT(toString(warning.reason), HasSubstr(loss.reason));
     EXPECT_THAT(toString(warning.reason), HasSubstr("not closed"));
-    EXPECT_THAT(toString(warning.reason), HasSubstr("proofs take what is missing as free space"));
+    EXPECT_THAT(toString(warning.reason), HasSubstr("certificates take what is missing as free space"));
   }
 }
 

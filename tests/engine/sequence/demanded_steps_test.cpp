@@ -193,7 +193,7 @@ TEST(DemandedSteps, WhatCannotBeProvedAtItsPlaceIsStuckWithItsBlockers) {
   ASSERT_EQ(plan.stuck.size(), 2U);
   const auto& pin = plan.stuck[0].body == "pin" ? plan.stuck[0] : plan.stuck[1];
   EXPECT_EQ(pin.body, "pin");
-  EXPECT_EQ(toString(pin.reason), "it was to leave as step 1, and no motion was found there");
+  EXPECT_EQ(toString(pin.reason), "it was to be removed as step 1, and no motion was found there");
   EXPECT_NE(std::find(pin.blockedBy.begin(), pin.blockedBy.end(), "cap"), pin.blockedBy.end()) << "it has left since";
 }
 
@@ -349,11 +349,11 @@ TEST(DemandedSteps, DemandsThatContradictEachOtherAreErrors) {
   };
   SequenceDemands demands;
   demands.places = {{{"one"}, 1}, {{"two"}, 1}};
-  EXPECT_EQ(reasonOf(demands), "two steps are demanded at place 1");
+  EXPECT_EQ(reasonOf(demands), "two steps are constrained to place 1");
   demands.places = {{{"one"}, 1}, {{"one"}, 2}};
-  EXPECT_EQ(reasonOf(demands), "'one' is demanded at two places");
+  EXPECT_EQ(reasonOf(demands), "'one' is constrained to two places");
   demands.places = {{{"one", "two"}, 1}, {{"two", "three"}, 2}};
-  EXPECT_EQ(reasonOf(demands), "'two' is in two steps or groups that are demanded");
+  EXPECT_EQ(reasonOf(demands), "'two' is in two constrained steps or groups");
   demands.places = {{{"moon"}, 1}};
   EXPECT_NE(reasonOf(demands).find("'moon'"), std::string::npos);
   demands = {};
@@ -361,7 +361,7 @@ TEST(DemandedSteps, DemandsThatContradictEachOtherAreErrors) {
   EXPECT_NE(reasonOf(demands).find("no length"), std::string::npos);
   demands = {};
   demands.motions = {{{"one"}, {{Pose::identity(), Author::Operator}}, kByHand}};
-  EXPECT_EQ(reasonOf(demands), "a demanded motion has fewer than two configurations");
+  EXPECT_EQ(reasonOf(demands), "a motion of a constraint has fewer than two configurations");
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ TEST_F(PathReport, SaysWhatIsProvedAndWhoIsNear) {
 
 TEST_F(PathReport, IsWhollyFrench) {
   const std::string text = page(Language::French);
-  for (const char* part : {"Certificat", "Jeu prouvé", "Jeu le long du chemin", "Pièce mobile"}) {
+  for (const char* part : {"Certificat", "Jeu certifié", "Jeu le long du chemin", "Pièce manipulée"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part;
   }
   for (const ParameterSpec& spec : parameterTable()) {

@@ -71,7 +71,7 @@ TEST(PlanWords, AFastenerIsNamedByItsDesignationOrElseByTheSizeOfItsThread) {
   step.joints.back().designation = "ISO 4032 M10";
   EXPECT_EQ(work(), "screw on nut ISO 4032 M10, 2.7 turns");
   step.body = "pin";
-  EXPECT_EQ(work(), "turn into cap, 2.7 turns") << "the other side is named as a part";
+  EXPECT_EQ(work(), "screw into cap, 2.7 turns") << "the other side is named as a part";
 }
 
 TEST(PlanWords, TheBaseHasAReason) {
@@ -79,7 +79,7 @@ TEST(PlanWords, TheBaseHasAReason) {
   AssemblyPlan plan = somePlan();
   EXPECT_EQ(wordsIn(Language::English).base(plan, product), "cabinet (the largest part)");
   plan.staying = {"drawer"};
-  EXPECT_EQ(wordsIn(Language::English).base(plan, product), "drawer (as a person says)");
+  EXPECT_EQ(wordsIn(Language::English).base(plan, product), "drawer (user-defined)");
 }
 
 TEST(PlanWords, AToolHasTheSizeOfTheHexagonThatItTurns) {
@@ -139,7 +139,7 @@ TEST(PlanTable, HasALineForEachStepAndEachStuckPart) {
   ASSERT_EQ(removal.size(), 4U);
   EXPECT_EQ(removal[1],
             "2,cap,straight,\"up (+Z), 500 mm\",0.5,0,0.000002,0.0003,cabinet,0,0,,hex key,\"hold pin, drawer and 1 "
-            "more\",nuts still on it: pin; demanded at another place");
+            "more\",nuts still on it: pin; constrained to another place");
   EXPECT_NE(removal[2].find("\"socket, blocked by drawer\""), std::string::npos) << removal[2];
   EXPECT_EQ(removal[3], ",drawer,,,,,,,,,,cabinet,,,");
   const auto assembly = linesOf(planAsCsv(somePlan(), product, PlanOrder::Assembly));
@@ -196,7 +196,7 @@ TEST(PlanReport, HasAPageForEachStepInTheOrderOfAssembly) {
   const auto page = reportHtml(report);
   ASSERT_TRUE(page.ok());
   EXPECT_LT(page->find("Step 1 of 2: pin"), page->find("Step 2 of 2: cap"));
-  EXPECT_NE(page->find("taken 0.41 mm thinner against cabinet (thread)"), std::string::npos);
+  EXPECT_NE(page->find("0.41 mm on cabinet (thread)"), std::string::npos);
   EXPECT_NE(page->find("The independent check agrees with 1 of 2 steps."), std::string::npos);
   EXPECT_NE(page->find("the independent check does not agree"), std::string::npos);
   EXPECT_EQ(countOf("class=\"page\"", *page), 4U);
@@ -208,9 +208,9 @@ TEST(PlanReport, SaysWhetherAHandGetsThereWhereThatWasAsked) {
   const AssembledProduct product = test::lockedDrawer();
   PlanReportContent content{plan, product, "drawer"};
   const auto page = [&] { return *reportHtml(planReport(content, wordsIn(Language::English))); };
-  EXPECT_EQ(page().find("Access of a hand"), std::string::npos);
+  EXPECT_EQ(page().find("Hand access"), std::string::npos);
   content.access.steps = {"the cap is reached", "the pin is not"};
-  EXPECT_NE(page().find("Access of a hand, sampled"), std::string::npos);
+  EXPECT_NE(page().find("Hand access, sampled"), std::string::npos);
   EXPECT_LT(page().find("the pin is not"), page().find("the cap is reached")) << "in the order of assembly";
 }
 
@@ -330,7 +330,7 @@ TEST(PlanReport, SaysTimesAndTheLine) {
         reportHtml(planReport({plan, product, "drawer", 1e-5, {}, {}, {}, "", "", {}, *timing}, wordsIn(language)));
     ASSERT_TRUE(page.ok());
     const bool english = language == Language::English;
-    EXPECT_NE(page->find(english ? "Longest chain" : "Chaîne la plus longue"), std::string::npos);
+    EXPECT_NE(page->find(english ? "Critical path" : "Chemin critique"), std::string::npos);
     EXPECT_NE(page->find(english ? "Line of 2 stations" : "Ligne de 2 postes"), std::string::npos);
     EXPECT_NE(page->find("<svg"), std::string::npos);
     EXPECT_EQ(page->find("The times are") == std::string::npos, !english);

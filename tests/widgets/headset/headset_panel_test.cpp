@@ -179,7 +179,7 @@ TEST_F(HeadsetPanelTest, PictureOfAnEyeWithThePanel) {
   test::setEyePixels(kEyePixels);
   wear();
   page().setStep(QStringLiteral("Step 2 of 5: key"));
-  page().setRefusal(QStringLiteral("The start is refused: 'object' overlaps or touches what is there."),
+  page().setRefusal(QStringLiteral("Start pose collides: 'object' overlaps wall by 3 mm."),
                     QStringLiteral("'wall': overlap 3 mm"));
   hands_.pointAt(placeOf(buttonOf("run.start"))).play();
   ASSERT_TRUE(hasPlayed());
