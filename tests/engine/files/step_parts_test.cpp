@@ -295,7 +295,9 @@ std::vector<Occurrence> solidsAndASurface() {
   std::vector<Occurrence> shapes;
   for (const auto& [name, mesh] : {std::pair("red", box), std::pair("blue", box),
                                    std::pair("skin", std::make_shared<const TriangleMesh>(std::move(open)))}) {
-    Occurrence& shape = shapes.emplace_back(Occurrence{joinedPath("unit", name), mesh});
+    Occurrence& shape = shapes.emplace_back();
+    shape.path = joinedPath("unit", name);
+    shape.mesh = mesh;
     shape.X_FP = Pose::translation({2.0 * static_cast<double>(shapes.size()), 0.0, 0.0});
     shape.isSolidOfPart = true;
   }
