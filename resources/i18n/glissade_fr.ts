@@ -3065,10 +3065,6 @@
         <translation>comme dans le scénario</translation>
     </message>
     <message>
-        <source>Operator: none, novice, default, expert, simulated-haptic, task-novice, task-expert, misleading or replay:FILE</source>
-        <translation>Opérateur&#xa0;: none, novice, default, expert, simulated-haptic, task-novice, task-expert, misleading ou replay:FICHIER</translation>
-    </message>
-    <message>
         <source>A simulated operator shows the way of this path, not the scenario&apos;s way-points</source>
         <translation>Un opérateur simulé montre le trajet de ce chemin, et non les points de passage du scénario</translation>
     </message>
@@ -11157,6 +11153,38 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>Install Glissade as a whole.</source>
         <translation>Installez Glissade en entier.</translation>
+    </message>
+    <message>
+        <source>Operator: %1 or replay:FILE</source>
+        <translation>Opérateur&#xa0;: %1 ou replay:FICHIER</translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation>statique</translation>
+    </message>
+    <message>
+        <source>mobile</source>
+        <translation>mobile</translation>
+    </message>
+    <message>
+        <source>snap</source>
+        <translation>clip</translation>
+    </message>
+    <message>
+        <source>permanent</source>
+        <translation>permanente</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>unité</translation>
+    </message>
+    <message>
+        <source>recognised</source>
+        <translation>reconnue</translation>
+    </message>
+    <message>
+        <source>suggested</source>
+        <translation>proposée</translation>
     </message>
 </context>
 <context>
