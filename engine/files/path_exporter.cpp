@@ -61,6 +61,10 @@ Message PathExporterRegistry::formats() const {
   return inWords(*this, [](const PathExporter&) { return true; });
 }
 
+Message PathExporterRegistry::readableFormats() const {
+  return inWords(*this, [](const PathExporter& exporter) { return exporter.readBackError.has_value(); });
+}
+
 PathExporterRegistry makePathExporterRegistry() {
   PathExporterRegistry registry;
   registry.add({"csv", {"csv"}, GLISSADE_TEXT("Table"), true, kExact, pathAsCsv});
@@ -81,9 +85,6 @@ SaveResult writePath(const Path& path, const LoadedScenario& scenario, const Pat
 
 Message writablePathFormats() { return makePathExporterRegistry().formats(); }
 
-Message readablePathFormats() {
-  return inWords(makePathExporterRegistry(),
-                 [](const PathExporter& exporter) { return exporter.readBackError.has_value(); });
-}
+Message readablePathFormats() { return makePathExporterRegistry().readableFormats(); }
 
 }  // namespace glissade

@@ -43,6 +43,8 @@ class PathExporterRegistry {
   Result<PathExporter> forFile(const std::string& file) const;
   /// The formats for help and errors, for example "Table (.csv), OMPL columns (.path)".
   Message formats() const;
+  /// The formats that readPath reads.
+  Message readableFormats() const;
 
  private:
   std::vector<PathExporter> entries_;
@@ -51,16 +53,15 @@ class PathExporterRegistry {
 /// The formats csv, json, ompl, glb.
 PathExporterRegistry makePathExporterRegistry();
 
-/// PathExporterRegistry::forFile() for these formats.
+/// The product's exporter for a file: PathExporterRegistry::forFile().
 Result<PathExporter> pathExporterFor(const std::string& file);
 
 /// Saves a path in the format of the file's ending.
 SaveResult writePath(const Path& path, const LoadedScenario& scenario, const PathProvenance& provenance,
                      const std::string& file);
 
-/// The formats for help and errors.
+/// The product's formats for help and errors.
 Message writablePathFormats();
-/// The formats that readPath reads.
 Message readablePathFormats();
 
 }  // namespace glissade

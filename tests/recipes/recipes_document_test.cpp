@@ -41,6 +41,7 @@ struct ProjectFiles {
   ProjectFiles() {
     const fs::path root = test::sourceDirectory();
     for (const char* folder : {"app", "engine", "packaging", "resources", "tests", "widgets"}) {
+      paths.emplace_back(folder);
       for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
         const std::string path = fs::relative(entry.path(), root).generic_string();
         paths.push_back(path);
@@ -77,7 +78,7 @@ bool isPath(const std::string& code) {
   return std::regex_match(code, pattern);
 }
 
-/// The text in backticks, without samples of lines. A sample is inside of another text or longer than a call.
+/// The texts in backticks.
 std::vector<std::string> codeIn(const std::string& document) {
   static const std::regex pattern("`([^`]+)`");
   std::vector<std::string> code;
@@ -125,8 +126,9 @@ TEST_F(RecipesDocument, NamesAreInTheStatedFiles) {
   static const std::regex pattern(R"re(`([^`]+)`(?: \(| in | of )`([^`]+\.(?:h|cpp|\{h,cpp\}))`)re");
   int seen = 0;
   for (const std::smatch& match : matchesIn(recipes, pattern)) {
+    static const std::regex text("\"[^\"]*\"");
     std::set<std::string> names;
-    addNames(match[1], names);
+    addNames(std::regex_replace(match[1].str(), text, ""), names);
     std::set<std::string> inFiles;
     for (const std::string& path : withoutBraces(match[2])) {
       for (const std::string& file : files->endingWith(path)) addNames(documentText(file), inFiles);

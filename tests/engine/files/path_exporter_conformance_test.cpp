@@ -71,12 +71,13 @@ TEST_P(PathExporterConformance, SameInputSameBytesAndNothingBesideThem) {
 }
 
 TEST_P(PathExporterConformance, ReadsBackAsItSays) {
-  const Result<std::vector<PathPoint>> points = readPath(written("a"));
+  const Result<std::vector<PathPoint>> points = readPath(written("a"), registry_);
   ASSERT_EQ(points.ok(), exporter_.readBackError.has_value());
-  EXPECT_EQ(toString(readablePathFormats()).find("." + exporter_.endings.front()) != std::string::npos, points.ok());
+  EXPECT_EQ(toString(registry_.readableFormats()).find("." + exporter_.endings.front()) != std::string::npos,
+            points.ok());
   if (!points) {
     EXPECT_EQ(points.error().kind, ErrorKind::MalformedInput);
-    EXPECT_THAT(toString(points.error()), testing::HasSubstr(toString(readablePathFormats())));
+    EXPECT_THAT(toString(points.error()), testing::HasSubstr(toString(registry_.readableFormats())));
     return;
   }
   ASSERT_EQ(points->size(), path_.points.size());
@@ -134,7 +135,7 @@ TEST_P(PathExporterConformance, AnEmptyPathIsRefused) {
 
 TEST_P(PathExporterConformance, OneConfigurationIsAPath) {
   path_.points.resize(1);
-  const Result<std::vector<PathPoint>> points = readPath(written("a"));
+  const Result<std::vector<PathPoint>> points = readPath(written("a"), registry_);
   if (exporter_.readBackError) {
     ASSERT_TRUE(points.ok());
     EXPECT_EQ(points->size(), 1U);
