@@ -74,7 +74,7 @@ std::vector<std::string> withoutBraces(const std::string& path) {
 }
 
 bool isPath(const std::string& code) {
-  static const std::regex pattern(R"([A-Za-z0-9_/.-]+(\.(h|cpp|md|txt|json|sh|ts|\{h,cpp\})|/))");
+  static const std::regex pattern(R"([A-Za-z0-9_/.-]+(\.(h|cpp|md|txt|json|qrc|sh|svg|ts|\{h,cpp\})|/))");
   return std::regex_match(code, pattern);
 }
 
@@ -103,8 +103,8 @@ TEST_F(RecipesDocument, FilesExist) {
       ++seen;
       if (path.ends_with("/")) path.pop_back();
       // What the reader is to write: its folder exists.
-      for (const char* own : {"NAME", "FEATURE", "gpu"}) {
-        if (path.find(own) != std::string::npos) path = path.substr(0, path.rfind('/'));
+      for (const char* own : {"NAME", "FEATURE", "ID", "gpu"}) {
+        while (path.find(own) != std::string::npos) path = path.substr(0, path.rfind('/'));
       }
       EXPECT_FALSE(files->endingWith(path).empty()) << path;
     }

@@ -65,10 +65,10 @@ void SequenceHand::noteBegun() {
     run_->begun = true;
     bench_.document.semantics().select({});  // the marks of blocking bodies would hide the part in the hand
     bench_.scene.widget()->setFocus();       // for the keys that move the part
-    sequence_.panel()->setNotice(
-        tr("You move %1 by hand, among the parts that are present at its step. Start (F5) begins a run. Its certified "
-           "path becomes the step.")
-            .arg(nameOf(*run_)));
+    sequence_.panel()->setNotice(tr("You move %1 by hand, among the parts that are present at its step. Find path (F5) "
+                                    "begins a run. Its certified "
+                                    "path becomes the step.")
+                                     .arg(nameOf(*run_)));
   }
   enableActions();
 }
