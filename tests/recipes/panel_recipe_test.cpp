@@ -1,6 +1,7 @@
 // Carries out the recipe "Add a panel".
 #include <gtest/gtest.h>
 
+#include <QDockWidget>
 #include <QLabel>
 #include <QMainWindow>
 
@@ -44,7 +45,7 @@ class PanelRecipe : public testing::Test {
   }
 
   QMainWindow window;
-  ActionCatalogue actions{&window};
+  ActionCatalogue actions{{}, &window};
   PanelDocks docks{window, actions};
   WorkbenchDocument document;
   VolumePanel* panel = new VolumePanel(document, &window);
