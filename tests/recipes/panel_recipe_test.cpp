@@ -39,6 +39,9 @@ class PanelRecipe : public testing::Test {
  protected:
   PanelRecipe() {
     window.setCentralWidget(new QWidget(&window));
+    // Every place of the window has a panel.
+    docks.add({QStringLiteral("Left"), "left", new QLabel(&window), DockPlace::Left});
+    docks.add({QStringLiteral("Upper"), "upper", new QLabel(&window), DockPlace::UpperRight});
     docks.add({QStringLiteral("Volume"), "volume", panel, DockPlace::LowerRight});
     docks.orderTabStops();
     docks.arrange();
@@ -53,10 +56,10 @@ class PanelRecipe : public testing::Test {
 
 TEST_F(PanelRecipe, TheNewPanelIsADockAtItsPlace) {
   const QList<QDockWidget*> all = docksInOrder(window);
-  ASSERT_EQ(all.size(), 1);
-  EXPECT_EQ(all.front()->objectName(), QStringLiteral("volume"));
-  EXPECT_EQ(window.dockWidgetArea(all.front()), Qt::RightDockWidgetArea);
-  EXPECT_TRUE(all.front()->isAncestorOf(panel));
+  ASSERT_EQ(all.size(), 3);
+  EXPECT_EQ(all.back()->objectName(), QStringLiteral("volume"));
+  EXPECT_EQ(window.dockWidgetArea(all.back()), Qt::RightDockWidgetArea);
+  EXPECT_TRUE(all.back()->isAncestorOf(panel));
 }
 
 TEST_F(PanelRecipe, TheNewPanelReadsTheDocumentWhenItsFlagsAreAnnounced) {
