@@ -204,7 +204,8 @@ void printText(const LoadedScenario& loaded, const Console& console) {
   MeshAudits audits;
   const std::size_t width = nameWidth(rigidBodiesOf(loaded));
   for (const RigidBody& body : loaded.obstacles) {
-    const std::string role = console.text(CatalogueText{kMobilityNames.of(body.mobility)});
+    const bool isStatic = body.mobility == Mobility::Static;
+    const std::string role = console.text(isStatic ? GLISSADE_TEXT("static") : GLISSADE_TEXT("mobile"));
     printBody(body, uncertaintyOf(body, loaded), role, width, audits, console);
   }
   for (const RigidBody& body : loaded.objectBodies) {

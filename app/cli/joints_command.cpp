@@ -43,9 +43,33 @@ std::string driveInWords(const Joint& joint) {
          (joint.driveSize > 0.0 ? " " + rounded(1e3 * joint.driveSize, 3) + " mm" : "");
 }
 
+CatalogueText kindText(JointKind kind) {
+  switch (kind) {
+    case JointKind::Screw: return GLISSADE_TEXT("screw");
+    case JointKind::Nut: return GLISSADE_TEXT("nut");
+    case JointKind::Thread: return GLISSADE_TEXT("thread");
+    case JointKind::Insert: return GLISSADE_TEXT("insert");
+    case JointKind::Pin: return GLISSADE_TEXT("pin");
+    case JointKind::Snap: return GLISSADE_TEXT("snap");
+    case JointKind::Flexible: return GLISSADE_TEXT("flexible");
+    case JointKind::Permanent: return GLISSADE_TEXT("permanent");
+    case JointKind::Unit: break;
+  }
+  return GLISSADE_TEXT("unit");
+}
+
+CatalogueText stateText(JointState state) {
+  switch (state) {
+    case JointState::Recognised: return GLISSADE_TEXT("recognised");
+    case JointState::Suggested: return GLISSADE_TEXT("suggested");
+    case JointState::Confirmed: break;
+  }
+  return GLISSADE_TEXT("confirmed");
+}
+
 Cells cellsOf(const Joint& joint, const AssembledProduct& product, const Console& console) {
-  return {console.text(CatalogueText{kJointKindNames.of(joint.kind)}),
-          console.text(CatalogueText{kJointStateNames.of(joint.state)}) + (joint.isDoubtful ? " (?)" : ""),
+  return {console.text(kindText(joint.kind)),
+          console.text(stateText(joint.state)) + (joint.isDoubtful ? " (?)" : ""),
           product.bodies[joint.body].shown(),
           shownOf(joint.others, product),
           shownOf(joint.clamped, product),

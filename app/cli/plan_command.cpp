@@ -93,16 +93,11 @@ DeviceRegistry simulatedOperators() {
 }
 
 Diagnostic unknownOperator(const std::string& name) {
-  std::string known = "none";
-  const DeviceRegistry registry = simulatedOperators();
-  for (const DeviceEntry& entry : registry.entries()) {
-    if (entry.simulated) known += ", " + entry.id;
-  }
   return {ErrorKind::Usage,
           "",
           "--operator",
           {GLISSADE_TEXT("there is no operator '%1'"), {name}},
-          {GLISSADE_TEXT("Choose one of %1 or replay:FILE."), {known}}};
+          {GLISSADE_TEXT("Choose one of %1 or replay:FILE."), {operatorNames()}}};
 }
 
 /// Sets up the session of a run from the scenario, the options and (for replay) a run record. The options override the
@@ -189,6 +184,15 @@ Outcome knowsOutput(const PlanOptions& options) {
 }
 
 }  // namespace
+
+std::string operatorNames() {
+  std::string names = "none";
+  const DeviceRegistry registry = simulatedOperators();
+  for (const DeviceEntry& entry : registry.entries()) {
+    if (entry.simulated) names += ", " + entry.id;
+  }
+  return names;
+}
 
 int runPlan(const PlanOptions& options) {
   if (const Outcome known = knowsOutput(options); !known) return reportError(known.error(), options.console);

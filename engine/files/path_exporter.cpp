@@ -12,9 +12,8 @@ namespace {
 constexpr double kExact = 0.0;  // no error: numbers are written so that reading returns them bit by bit
 
 template <class Choose>
-Message inWords(const Choose& choose) {
+Message inWords(const PathExporterRegistry& registry, const Choose& choose) {
   std::vector<Message> words;
-  const PathExporterRegistry registry = makePathExporterRegistry();
   for (const PathExporter& exporter : registry.entries()) {
     if (!choose(exporter)) continue;
     std::string endings;
@@ -46,6 +45,26 @@ const PathExporter* PathExporterRegistry::find(std::string_view id) const {
   return found == entries_.end() ? nullptr : &*found;
 }
 
+Result<PathExporter> PathExporterRegistry::forFile(const std::string& file) const {
+  const std::string ending = endingOf(file);
+  for (const PathExporter& exporter : entries_) {
+    const auto& endings = exporter.endings;
+    if (std::find(endings.begin(), endings.end(), ending) != endings.end()) return exporter;
+  }
+  const Message reason = ending.empty()
+                             ? GLISSADE_TEXT("has no ending that says in which format the path is to be written")
+                             : Message(GLISSADE_TEXT("paths are not written as '.%1'"), {ending});
+  return Diagnostic{ErrorKind::Usage, file, "", reason, {GLISSADE_TEXT("Choose one of: %1."), {formats()}}};
+}
+
+Message PathExporterRegistry::formats() const {
+  return inWords(*this, [](const PathExporter&) { return true; });
+}
+
+Message PathExporterRegistry::readableFormats() const {
+  return inWords(*this, [](const PathExporter& exporter) { return exporter.readBackError.has_value(); });
+}
+
 PathExporterRegistry makePathExporterRegistry() {
   PathExporterRegistry registry;
   registry.add({"csv", {"csv"}, GLISSADE_TEXT("Table"), true, kExact, pathAsCsv});
@@ -55,18 +74,7 @@ PathExporterRegistry makePathExporterRegistry() {
   return registry;
 }
 
-Result<PathExporter> pathExporterFor(const std::string& file) {
-  const std::string ending = endingOf(file);
-  const PathExporterRegistry registry = makePathExporterRegistry();
-  for (const PathExporter& exporter : registry.entries()) {
-    const auto& endings = exporter.endings;
-    if (std::find(endings.begin(), endings.end(), ending) != endings.end()) return exporter;
-  }
-  const Message reason = ending.empty()
-                             ? GLISSADE_TEXT("has no ending that says in which format the path is to be written")
-                             : Message(GLISSADE_TEXT("paths are not written as '.%1'"), {ending});
-  return Diagnostic{ErrorKind::Usage, file, "", reason, {GLISSADE_TEXT("Choose one of: %1."), {writablePathFormats()}}};
-}
+Result<PathExporter> pathExporterFor(const std::string& file) { return makePathExporterRegistry().forFile(file); }
 
 SaveResult writePath(const Path& path, const LoadedScenario& scenario, const PathProvenance& provenance,
                      const std::string& file) {
@@ -75,12 +83,8 @@ SaveResult writePath(const Path& path, const LoadedScenario& scenario, const Pat
   return exporter->write(path, scenario, provenance, file);
 }
 
-Message writablePathFormats() {
-  return inWords([](const PathExporter&) { return true; });
-}
+Message writablePathFormats() { return makePathExporterRegistry().formats(); }
 
-Message readablePathFormats() {
-  return inWords([](const PathExporter& exporter) { return exporter.readBackError.has_value(); });
-}
+Message readablePathFormats() { return makePathExporterRegistry().readableFormats(); }
 
 }  // namespace glissade

@@ -38,6 +38,13 @@ class PathExporterRegistry {
   /// The exporter of an id; null where it is unknown.
   const PathExporter* find(std::string_view id) const;
   const std::vector<PathExporter>& entries() const { return entries_; }
+  /// The exporter for a file's ending, in lower or upper case. An unknown ending is an error of usage that lists the
+  /// known endings.
+  Result<PathExporter> forFile(const std::string& file) const;
+  /// The formats for help and errors, for example "Table (.csv), OMPL columns (.path)".
+  Message formats() const;
+  /// The formats that readPath reads.
+  Message readableFormats() const;
 
  private:
   std::vector<PathExporter> entries_;
@@ -46,17 +53,15 @@ class PathExporterRegistry {
 /// The formats csv, json, ompl, glb.
 PathExporterRegistry makePathExporterRegistry();
 
-/// The exporter for a file's ending, in lower or upper case. An unknown ending is an error of usage that lists the
-/// known endings.
+/// The product's exporter for a file: PathExporterRegistry::forFile().
 Result<PathExporter> pathExporterFor(const std::string& file);
 
 /// Saves a path in the format of the file's ending.
 SaveResult writePath(const Path& path, const LoadedScenario& scenario, const PathProvenance& provenance,
                      const std::string& file);
 
-/// The formats for help and errors, for example "Table (.csv), OMPL columns (.path)".
+/// The product's formats for help and errors.
 Message writablePathFormats();
-/// The formats that readPath reads.
 Message readablePathFormats();
 
 }  // namespace glissade

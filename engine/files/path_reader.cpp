@@ -9,7 +9,6 @@
 #include "engine/base/number_text.h"
 #include "engine/base/printable_text.h"
 #include "engine/base/tolerances.h"
-#include "engine/files/path_exporter.h"
 #include "engine/files/path_reader.h"
 #include "engine/geometry/pose_json.h"
 #include "engine/import/json_checksum.h"
@@ -147,17 +146,17 @@ Result<std::vector<PathPoint>> readJsonPath(const std::string& text, const std::
 
 }  // namespace
 
-Result<std::vector<PathPoint>> readPath(const std::string& file) {
+Result<std::vector<PathPoint>> readPath(const std::string& file, const PathExporterRegistry& formats) {
   const auto text = readFile(file, kMostPathBytes);
   if (!text) return text.error();
-  const auto exporter = pathExporterFor(file);
+  const auto exporter = formats.forFile(file);
   const bool writtenOnly = exporter && !exporter->readBackError;
   if (writtenOnly || text->rfind("glTF", 0) == 0) {
     return Diagnostic{ErrorKind::MalformedInput,
                       file,
                       "",
                       GLISSADE_TEXT("is in a format that can only be written"),
-                      {GLISSADE_TEXT("Give the path as one of: %1."), {readablePathFormats()}}};
+                      {GLISSADE_TEXT("Give the path as one of: %1."), {formats.readableFormats()}}};
   }
   const std::size_t first = text->find_first_not_of(" \t\r\n");
   if (first != std::string::npos && (*text)[first] == '{') return readJsonPath(*text, file);

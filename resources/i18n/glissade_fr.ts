@@ -3285,10 +3285,6 @@
         <translation>comme dans le scénario</translation>
     </message>
     <message>
-        <source>Operator: none, novice, default, expert, simulated-haptic, task-novice, task-expert, misleading or replay:FILE</source>
-        <translation>Opérateur&#xa0;: none, novice, default, expert, simulated-haptic, task-novice, task-expert, misleading ou replay:FICHIER</translation>
-    </message>
-    <message>
         <source>A simulated operator follows this path, not the scenario&apos;s way-points</source>
         <translation>Un opérateur simulé suit ce chemin, et non les points de passage du scénario</translation>
     </message>
@@ -11369,6 +11365,38 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>Base part</source>
         <translation>Pièce de base</translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation>statique</translation>
+    </message>
+    <message>
+        <source>mobile</source>
+        <translation>mobile</translation>
+    </message>
+    <message>
+        <source>snap</source>
+        <translation>clip</translation>
+    </message>
+    <message>
+        <source>permanent</source>
+        <translation>permanente</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>unité</translation>
+    </message>
+    <message>
+        <source>recognised</source>
+        <translation>reconnue</translation>
+    </message>
+    <message>
+        <source>suggested</source>
+        <translation>proposée</translation>
+    </message>
+    <message>
+        <source>Operator: %1 or replay:FILE</source>
+        <translation>Opérateur&#xa0;: %1 ou replay:FICHIER</translation>
     </message>
 </context>
 <context>

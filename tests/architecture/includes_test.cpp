@@ -329,16 +329,20 @@ TEST(Architecture, NobodyElseKeepsAScenario) {
   EXPECT_GT(seen, 2);
 }
 
+/// Every new panel adds a line and an include, which do not count.
 TEST(Architecture, TheMainWindowStaysSmall) {
   const fs::path window = fs::path(test::sourceDirectory()) / "app/window";
-  std::ptrdiff_t lines = 0;
+  int lines = 0;
   for (const auto& entry : fs::directory_iterator(window)) {
     if (entry.path().filename().string().rfind("main_window", 0) != 0) continue;
     std::ifstream stream(entry.path());
-    lines += std::count(std::istreambuf_iterator<char>(stream), {}, '\n');
+    for (std::string line; std::getline(stream, line);) {
+      const bool isOfAPanel = line.rfind("#include", 0) == 0 || line.find("docks_.add(") != std::string::npos;
+      lines += isOfAPanel ? 0 : 1;
+    }
   }
   EXPECT_GT(lines, 0);
-  EXPECT_LT(lines, 300);
+  EXPECT_LT(lines, 250);
 }
 
 TEST(Architecture, SourcesStaySmall) {

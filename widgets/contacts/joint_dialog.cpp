@@ -104,10 +104,10 @@ QuantityBox* JointDialog::addLength(const char* name, double least, double most)
 }
 
 void JointDialog::addKinds() {
-  for (int i = 0; i <= static_cast<int>(JointKind::Unit); ++i) {
+  for (std::size_t i = 0; i < kJointKindNames.names.size(); ++i) {
     const auto kind = static_cast<JointKind>(i);
     // A flexible joint needs only one body.
-    if (bodies_.size() > 1 || kind == JointKind::Flexible) kind_->addItem(jointKindText(kind), i);
+    if (bodies_.size() > 1 || kind == JointKind::Flexible) kind_->addItem(jointKindText(kind), static_cast<int>(i));
   }
   kind_->setCurrentIndex(std::max(0, kind_->findData(static_cast<int>(draft_.kind))));
 }

@@ -1,10 +1,11 @@
 // Every exporter of the registry keeps the same contract.
+#include "tests/engine/files/path_exporter_conformance.h"
+
 #include <gmock/gmock.h>
 #include <signal.h>
 #include <sys/resource.h>
 
 #include <filesystem>
-#include <set>
 
 #include "engine/files/path_reader.h"
 #include "tests/engine/files/path_fixture.h"
@@ -13,13 +14,6 @@ namespace glissade {
 namespace {
 
 using test::readWhole;
-
-std::vector<std::string> exporterIds() {
-  std::vector<std::string> ids;
-  const PathExporterRegistry registry = makePathExporterRegistry();
-  for (const PathExporter& exporter : registry.entries()) ids.push_back(exporter.id);
-  return ids;
-}
 
 /// While this object lives, no file can grow beyond a few bytes, as on a full disk.
 class FullDisk {
@@ -54,17 +48,18 @@ class PathExporterConformance : public test::PathFixture, public testing::WithPa
     return std::distance(std::filesystem::directory_iterator(folder_.path()), std::filesystem::directory_iterator());
   }
 
-  const PathExporter exporter_ = *makePathExporterRegistry().find(GetParam());
+  const PathExporterRegistry registry_ = pathExportersUnderTest().registry;
+  const PathExporter exporter_ = *registry_.find(GetParam());
 };
 
 TEST_P(PathExporterConformance, IsKnownByItsEndings) {
   ASSERT_FALSE(exporter_.endings.empty());
   EXPECT_STRNE(exporter_.label.english, "");
   for (const std::string& ending : exporter_.endings) {
-    const Result<PathExporter> found = pathExporterFor("folder.csv/a.b." + ending);
+    const Result<PathExporter> found = registry_.forFile("folder.csv/a.b." + ending);
     ASSERT_TRUE(found.ok()) << ending;
     EXPECT_EQ(found->id, exporter_.id);
-    EXPECT_THAT(toString(writablePathFormats()), testing::HasSubstr("." + ending));
+    EXPECT_THAT(toString(registry_.formats()), testing::HasSubstr("." + ending));
   }
 }
 
@@ -76,12 +71,13 @@ TEST_P(PathExporterConformance, SameInputSameBytesAndNothingBesideThem) {
 }
 
 TEST_P(PathExporterConformance, ReadsBackAsItSays) {
-  const Result<std::vector<PathPoint>> points = readPath(written("a"));
+  const Result<std::vector<PathPoint>> points = readPath(written("a"), registry_);
   ASSERT_EQ(points.ok(), exporter_.readBackError.has_value());
-  EXPECT_EQ(toString(readablePathFormats()).find("." + exporter_.endings.front()) != std::string::npos, points.ok());
+  EXPECT_EQ(toString(registry_.readableFormats()).find("." + exporter_.endings.front()) != std::string::npos,
+            points.ok());
   if (!points) {
     EXPECT_EQ(points.error().kind, ErrorKind::MalformedInput);
-    EXPECT_THAT(toString(points.error()), testing::HasSubstr(toString(readablePathFormats())));
+    EXPECT_THAT(toString(points.error()), testing::HasSubstr(toString(registry_.readableFormats())));
     return;
   }
   ASSERT_EQ(points->size(), path_.points.size());
@@ -139,7 +135,7 @@ TEST_P(PathExporterConformance, AnEmptyPathIsRefused) {
 
 TEST_P(PathExporterConformance, OneConfigurationIsAPath) {
   path_.points.resize(1);
-  const Result<std::vector<PathPoint>> points = readPath(written("a"));
+  const Result<std::vector<PathPoint>> points = readPath(written("a"), registry_);
   if (exporter_.readBackError) {
     ASSERT_TRUE(points.ok());
     EXPECT_EQ(points->size(), 1U);
@@ -159,34 +155,8 @@ TEST_P(PathExporterConformance, NamesMayBeAnyBytes) {
   written("a");
 }
 
-INSTANTIATE_TEST_SUITE_P(Registry, PathExporterConformance, testing::ValuesIn(exporterIds()),
+INSTANTIATE_TEST_SUITE_P(Registry, PathExporterConformance, testing::ValuesIn(pathExportersUnderTest().ids),
                          [](const auto& parameter) { return parameter.param; });
-
-TEST(PathExporterRegistry, NoTwoShareAnIdOrAnEnding) {
-  std::set<std::string> ids;
-  std::set<std::string> endings;
-  const PathExporterRegistry registry = makePathExporterRegistry();
-  for (const PathExporter& exporter : registry.entries()) {
-    EXPECT_TRUE(ids.insert(exporter.id).second) << exporter.id;
-    for (const std::string& ending : exporter.endings) EXPECT_TRUE(endings.insert(ending).second) << ending;
-  }
-  EXPECT_EQ(registry.find("video"), nullptr);
-}
-
-TEST(PathExporterRegistry, EndingsMayBeInUpperCaseAndUnknownOnesAreOneErrorThatListsThem) {
-  EXPECT_EQ(pathExporterFor("A.GLB")->id, "glb");
-  for (const char* file : {"path", "path.", "path.unknown", "folder.csv/path", ".csv"}) {
-    const Result<PathExporter> none = pathExporterFor(file);
-    ASSERT_FALSE(none.ok()) << file;
-    EXPECT_EQ(none.error().kind, ErrorKind::Usage);
-    EXPECT_EQ(none.error().file, file);
-    EXPECT_THAT(toString(none.error().advice), testing::HasSubstr("Table (.csv), With provenance (.json)"));
-    EXPECT_THAT(toString(none.error().advice), testing::HasSubstr(".glb"));
-  }
-  const test::TemporaryFolder folder;
-  EXPECT_FALSE(writePath({}, {}, {}, folder / "path.unknown").ok());
-  EXPECT_FALSE(std::filesystem::exists(folder / "path.unknown"));
-}
 
 }  // namespace
 }  // namespace glissade

@@ -1,28 +1,16 @@
 // Every device of the registry keeps the same contract.
+#include "tests/engine/operator/device_conformance.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "engine/operator/device_registry.h"
 #include "tests/engine/operator/operator_support.h"
 #include "tests/engine/support/random_pose.h"
 #include "tests/engine/support/test_worlds.h"
 
 namespace glissade {
 namespace {
-
-DeviceRegistry allDevices() {
-  DeviceRegistry registry = makeDeviceRegistry();
-  addTaskOperators(registry);
-  return registry;
-}
-
-std::vector<std::string> deviceIds() {
-  const DeviceRegistry registry = allDevices();
-  std::vector<std::string> ids;
-  for (const DeviceEntry& entry : registry.entries()) ids.push_back(entry.id);
-  return ids;
-}
 
 class DeviceConformance : public testing::TestWithParam<std::string> {
  protected:
@@ -32,7 +20,7 @@ class DeviceConformance : public testing::TestWithParam<std::string> {
     context.metric = Se3Metric(1.0);
     context.hand = std::make_shared<HandInputs>();
     context.world = windowProblem().world;
-    return allDevices().find(GetParam())->make(context);
+    return devicesUnderTest().registry.find(GetParam())->make(context);
   }
 };
 
@@ -79,20 +67,12 @@ TEST_P(DeviceConformance, SameSeedAndCallsGiveTheSameMotion) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Registry, DeviceConformance, testing::ValuesIn(deviceIds()),
+INSTANTIATE_TEST_SUITE_P(Registry, DeviceConformance, testing::ValuesIn(devicesUnderTest().ids),
                          [](const testing::TestParamInfo<std::string>& parameter) {
                            std::string name = parameter.param;
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });
-
-TEST(DeviceRegistry, WithoutAHandNobodyHoldsAnything) {
-  for (const char* id :
-       {"hand", "keyboard", "mouse6d", "gamepad", "left-controller", "right-controller", "simulated-haptic"}) {
-    EXPECT_EQ(makeDeviceRegistry().find(id)->make(DeviceContext()), nullptr);
-  }
-  EXPECT_EQ(makeDeviceRegistry().find("telepathy"), nullptr);
-}
 
 }  // namespace
 }  // namespace glissade

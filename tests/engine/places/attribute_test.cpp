@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/engine/places/attribute_conformance.h"
+
 namespace glissade {
 namespace {
 
@@ -30,10 +32,7 @@ TEST(AttributeTable, HasTheBuiltInAttributesWithSoundFirstValues) {
   }
   for (const char* name : {"mobility", "shape"}) EXPECT_NE(table.find(AttributeOwner::Body, name), nullptr) << name;
   EXPECT_EQ(table.find(AttributeOwner::Body, "forbidden"), nullptr);
-  for (const AttributeDefinition& definition : table.definitions()) {
-    EXPECT_TRUE(definition.builtIn) << definition.name;
-    EXPECT_TRUE(checkValue(definition, definition.initial).ok()) << definition.name;
-  }
+  for (const AttributeDefinition& definition : table.definitions()) expectSoundBuiltIn(definition);
 }
 
 TEST(AttributeTable, AddsWhatIsSoundAndKeepsTheOrder) {

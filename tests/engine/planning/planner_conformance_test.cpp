@@ -1,57 +1,21 @@
-// Every planner of the registry keeps the same contract.
+// Every planner of the registries keeps the same contract.
+#include "tests/engine/planning/planner_conformance.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <ostream>
 #include <set>
 
-#include "engine/planning/planner.h"
-#include "engine/study/benchmarks/peer_planners.h"
 #include "tests/engine/support/test_host.h"
 #include "tests/engine/support/test_worlds.h"
 
 namespace glissade {
 namespace {
 
-/// A planner and its registry.
-struct Entry {
-  PlannerRegistry (*registry)();
-  std::string name;  ///< name of the registry
-  std::string id;
-  int slots;
-
-  friend std::ostream& operator<<(std::ostream& stream, const Entry& entry) {
-    return stream << entry.name << ' ' << entry.id << ' ' << entry.slots;
-  }
-};
-
-PlannerRegistry makePeerRegistry() {
-  PlannerRegistry peers;
-  registerPeerPlanners(peers);
-  return peers;
-}
-
-std::vector<Entry> allEntries() {
-  std::vector<Entry> all;
-  const auto addFrom = [&](PlannerRegistry (*make)(), const char* name) {
-    const PlannerRegistry registry = make();
-    for (const PlannerEntry& entry : registry.entries()) all.push_back({make, name, entry.id, 1});
-  };
-  addFrom(makePlannerRegistry, "whole");
-  addFrom(makeLocalPlannerRegistry, "local");
-  addFrom(makePeerRegistry, "peer");
-  for (const int slots : {2, 4}) {
-    for (const char* id : {"auto", "interactive"}) all.push_back({makePlannerRegistry, "whole", id, slots});
-  }
-  return all;
-}
-
 /// True for planners with one tree pair, which paper 1's tables count.
 bool growsOneTreePair(const std::string& id) { return id.find("birrt") != std::string::npos; }
-/// True for planners without random numbers.
-bool isDeterministic(const std::string& id) { return id == "linear" || id == "potential-field"; }
 
-class PlannerConformance : public testing::TestWithParam<Entry> {
+class PlannerConformance : public testing::TestWithParam<PlannerUnderTest> {
  protected:
   std::unique_ptr<Planner> make(const Problem& problem, std::uint64_t seed = 1) const {
     return GetParam().registry().find(GetParam().id)->make(problem, seed);
@@ -141,7 +105,7 @@ TEST_P(PlannerConformance, SameSeedGrowsTheSameRoadmapBitByBitHoweverOftenItIsIn
 }
 
 TEST_P(PlannerConformance, DifferentSeedsGrowDifferentRoadmaps) {
-  if (isDeterministic(GetParam().id)) GTEST_SKIP() << "draws nothing at random";
+  if (GetParam().isDeterministic) GTEST_SKIP() << "draws nothing at random";
   // Planners that plan coarsely draw nothing where there is no way.
   const Problem problem = complete() ? closedProblem() : windowProblem();
   std::set<double> seen;
@@ -213,14 +177,14 @@ TEST_P(PlannerConformance, GoesOutWhenTheGoalIsOut) {
   EXPECT_GE(problem.world->obstaclesBox().exteriorDistance(end), problem.world->objectRadius() - 1e-9);
 }
 
-std::string entryName(const testing::TestParamInfo<Entry>& parameter) {
-  std::string name = parameter.param.name + "_" + parameter.param.id;
+std::string entryName(const testing::TestParamInfo<PlannerUnderTest>& parameter) {
+  std::string name = parameter.param.registryName + "_" + parameter.param.id;
   if (parameter.param.slots > 1) name += "_" + std::to_string(parameter.param.slots) + "_slots";
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Registries, PlannerConformance, testing::ValuesIn(allEntries()), entryName);
+INSTANTIATE_TEST_SUITE_P(Registries, PlannerConformance, testing::ValuesIn(plannersUnderTest()), entryName);
 
 }  // namespace
 }  // namespace glissade

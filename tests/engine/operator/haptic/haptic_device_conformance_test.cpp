@@ -1,21 +1,15 @@
-// Every haptic device keeps the same contract; a driver adds a line at the bottom.
+// Every haptic device keeps the same contract.
+#include "tests/engine/operator/haptic/haptic_device_conformance.h"
+
 #include <gtest/gtest.h>
 
-#include <functional>
-
 #include "engine/base/random_stream.h"
-#include "engine/operator/haptic/simulated_haptic_device.h"
 #include "tests/engine/support/random_pose.h"
 
 namespace glissade {
 namespace {
 
-struct HapticCase {
-  std::string name;
-  std::function<std::unique_ptr<HapticDevice>()> make;
-};
-
-class HapticDeviceConformance : public testing::TestWithParam<HapticCase> {};
+class HapticDeviceConformance : public testing::TestWithParam<HapticDeviceUnderTest> {};
 
 TEST_P(HapticDeviceConformance, StaysFiniteUnderAnyWrench) {
   const auto device = GetParam().make();
@@ -70,28 +64,8 @@ TEST_P(HapticDeviceConformance, GivesWayToAForce) {
   EXPECT_GT(pushed->advance(1e-3).X_WD.position.z(), free->advance(1e-3).X_WD.position.z());
 }
 
-std::unique_ptr<HapticDevice> simulated(double radius) {
-  return std::make_unique<SimulatedHapticDevice>(
-      alongRoute({Pose::translation({radius, 0, 0}), Pose{{0, radius, 0}, fromRollPitchYaw(1, 0, 0)}},
-                 Se3Metric(radius), radius),
-      radius);
-}
-
-INSTANTIATE_TEST_SUITE_P(Devices, HapticDeviceConformance,
-                         testing::Values(HapticCase{"Simulated", [] { return simulated(1.5); }},
-                                         HapticCase{"SimulatedWatch", [] { return simulated(0.01); }},
-                                         HapticCase{"SimulatedShip", [] { return simulated(100.0); }}),
+INSTANTIATE_TEST_SUITE_P(Devices, HapticDeviceConformance, testing::ValuesIn(hapticDevicesUnderTest()),
                          [](const auto& parameter) { return parameter.param.name; });
-
-TEST(AlongRoute, BeginsAtTheBeginAndRestsAtTheEnd) {
-  const HandMotion motion =
-      alongRoute({Pose::translation({1, 0, 0}), Pose::translation({1, 1, 0})}, Se3Metric(1.0), 0.5);
-  const Pose begin = Pose::translation({-1, 0, 0});
-  EXPECT_EQ(motion(0.0, begin), begin);
-  EXPECT_TRUE(motion(2.0, begin).position.isApprox(Vector3(0, 0, 0), 1e-12));
-  EXPECT_TRUE(motion(5.0, begin).position.isApprox(Vector3(1, 0.5, 0), 1e-12));
-  EXPECT_TRUE(motion(99.0, begin).position.isApprox(Vector3(1, 1, 0), 1e-12));
-}
 
 }  // namespace
 }  // namespace glissade
