@@ -164,6 +164,7 @@ const std::vector<MenuSpec>& menuTable() {
        {"run.start",
         "run.pause",
         "run.stop",
+        "run.finish",
         "run.restart",
         "run.restart-new-seed",
         "work.cancel",

@@ -787,10 +787,6 @@
         <translation>Chaque étape sélectionnée doit précéder la suivante</translation>
     </message>
     <message>
-        <source>&amp;Take the path as the step</source>
-        <translation>&amp;Prendre le chemin comme étape</translation>
-    </message>
-    <message>
         <source>Go back to the sequence with the certified path of the part that was moved by hand</source>
         <translation>Revenir à la séquence avec le chemin certifié de la pièce déplacée à la main</translation>
     </message>
@@ -2217,6 +2213,22 @@
     <message>
         <source>Show a run of a study again, from its file runs/cellN-seedM.json</source>
         <translation>Revoir un essai d&apos;une étude, à partir de son fichier runs/cellN-seedM.json</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Terminé</translation>
+    </message>
+    <message>
+        <source>Finish &amp;for me</source>
+        <translation>&amp;Finir à ma place</translation>
+    </message>
+    <message>
+        <source>Let the computer finish the run at full speed, from what your hand has reached</source>
+        <translation>Laisser l&apos;ordinateur finir le calcul à pleine vitesse, à partir de ce que votre main a atteint</translation>
+    </message>
+    <message>
+        <source>&amp;Use this path as the step</source>
+        <translation>&amp;Utiliser ce chemin pour l&apos;étape</translation>
     </message>
 </context>
 <context>
@@ -4913,10 +4925,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>Authority</source>
         <translation>Autorité</translation>
-    </message>
-    <message>
-        <source>The computer&apos;s share of the iterations: 1 is the automatic planner alone, 0 the operator alone.</source>
-        <translation>La part de l&apos;ordinateur dans les itérations&#xa0;: 1 est le planificateur seul, 0 l&apos;opérateur seul.</translation>
     </message>
     <message>
         <source>Contact samples</source>
@@ -11158,6 +11166,18 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <source>Install Glissade as a whole.</source>
         <translation>Installez Glissade en entier.</translation>
     </message>
+    <message>
+        <source>The computer&apos;s share of the iterations: 1 is the automatic planner alone. 0 is the operator alone, and nothing is planned before the hand has moved.</source>
+        <translation>Part de l&apos;ordinateur dans les itérations : 1, le planificateur automatique seul ; 0, l&apos;opérateur seul, et rien n&apos;est planifié avant que la main ait bougé.</translation>
+    </message>
+    <message>
+        <source>With my hand</source>
+        <translation>Avec ma main</translation>
+    </message>
+    <message>
+        <source>You steer the object. The way of your hand is kept and proved, and the computer searches from it; at α = 1 the automatic planners finish the path.</source>
+        <translation>Vous guidez l&apos;objet. Le trajet de votre main est conservé et prouvé, et l&apos;ordinateur cherche à partir de lui ; à α = 1, les planificateurs automatiques finissent le chemin.</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -12202,20 +12222,20 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>le passage est ouvert.</translation>
     </message>
     <message>
-        <source>the object is at most %1 too large at &apos;%2&apos;.</source>
-        <translation>l&apos;objet est trop gros de %1 au plus, près de «&#xa0;%2&#xa0;».</translation>
-    </message>
-    <message>
-        <source>the object is at most %1 too large.</source>
-        <translation>l&apos;objet est trop gros de %1 au plus.</translation>
-    </message>
-    <message>
         <source>Lead it along the arrow; %1: next place.</source>
         <translation>Menez-le le long de la flèche&#xa0;; %1&#xa0;: endroit suivant.</translation>
     </message>
     <message>
         <source>%1 takes your hand there.</source>
         <translation>%1 y conduit votre main.</translation>
+    </message>
+    <message>
+        <source>needs up to %1 more room at %2.</source>
+        <translation>il faut jusqu&apos;à %1 de place en plus contre %2.</translation>
+    </message>
+    <message>
+        <source>needs up to %1 more room.</source>
+        <translation>il faut jusqu&apos;à %1 de place en plus.</translation>
     </message>
 </context>
 <context>
@@ -14582,10 +14602,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Pleine vitesse</translation>
     </message>
     <message>
-        <source>%1 steps a second (the first paper)</source>
-        <translation>%1 pas par seconde (premier article)</translation>
-    </message>
-    <message>
         <source>%1 steps a second</source>
         <translation>%1 pas par seconde</translation>
     </message>
@@ -14596,6 +14612,10 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>How fast a run goes: choose a pace or type steps a second, to watch and to steer</source>
         <translation>Vitesse du calcul&#xa0;: choisissez une cadence ou saisissez un nombre de pas par seconde, pour regarder et guider</translation>
+    </message>
+    <message>
+        <source>%1 steps a second: real time</source>
+        <translation>%1 pas par seconde : temps réel</translation>
     </message>
 </context>
 <context>
@@ -16143,8 +16163,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Le chemin fait à la main devient le mouvement de %1.</translation>
     </message>
     <message>
-        <source>You move %1 by hand, among the parts that are present at its step. Start (F5) begins a run. Its certified path becomes the step.</source>
-        <translation>Vous déplacez %1 à la main, parmi les pièces présentes à son étape. Démarrer (F5) lance un calcul. Son chemin certifié devient l&apos;étape.</translation>
+        <source>Step %1 by hand: %2</source>
+        <translation>Étape %1 à la main : %2</translation>
+    </message>
+    <message>
+        <source>Start a run. Its certified path becomes the step. Esc goes back.</source>
+        <translation>Démarrez un calcul. Son chemin certifié devient l&apos;étape. Échap revient en arrière.</translation>
     </message>
 </context>
 <context>

@@ -110,6 +110,8 @@ constexpr std::pair<const char*, const char*> kButtonTexts[] = {
     {"run.start", QT_TRANSLATE_NOOP("Actions", "Start")},
     {"run.pause", QT_TRANSLATE_NOOP("Actions", "Pause")},
     {"run.stop", QT_TRANSLATE_NOOP("Actions", "Stop")},
+    {"sequence.take-path", QT_TRANSLATE_NOOP("Actions", "Done")},
+    {"sequence.leave-hand", QT_TRANSLATE_NOOP("Actions", "Cancel")},
     {"run.restart-new-seed", QT_TRANSLATE_NOOP("Actions", "New seed")},
     {"work.cancel", QT_TRANSLATE_NOOP("Actions", "Cancel")},
     {"path.first-blocked", QT_TRANSLATE_NOOP("Actions", "Where is it blocked?")},

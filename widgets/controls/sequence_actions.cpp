@@ -72,7 +72,7 @@ const std::vector<ActionSpec>& sequenceActionSpecs() {
        QT_TRANSLATE_NOOP("Actions",
                          "Move the part of the chosen step by hand, among the parts that are present at that step"),
        false},
-      {"sequence.take-path", QT_TRANSLATE_NOOP("Actions", "&Take the path as the step"), "",
+      {"sequence.take-path", QT_TRANSLATE_NOOP("Actions", "&Use this path as the step"), "",
        QT_TRANSLATE_NOOP("Actions",
                          "Go back to the sequence with the certified path of the part that was moved by hand"),
        false},

@@ -171,7 +171,7 @@ void AssistController::startByHand() {
     const std::size_t chosen = chosen_;
     bench_.session.post(command::Stop{});
     if (!isPerson(bench_.session.deviceId())) bench_.session.setDevice("hand");
-    if (!followsHand(bench_.document.settings().strategy)) bench_.session.post(command::SetPlanner{"interactive"});
+    if (!followsHand(bench_.document.settings().strategy)) bench_.session.post(command::SetPlanner{"by-hand"});
     places_ = places;  // changing the device ended the session, which cleared places_
     chosen_ = chosen;
     starting_ = true;
@@ -215,10 +215,9 @@ QString AssistController::hintText() const {
     lack = tr("the passage is open.");
   } else if (place.lacking && place.body >= 0) {
     const RigidBody& body = scenario.obstacles[static_cast<std::size_t>(place.body)];
-    lack = tr("the object is at most %1 too large at '%2'.")
-               .arg(lengthText(*place.lacking), QString::fromStdString(body.shown()));
+    lack = tr("needs up to %1 more room at %2.").arg(lengthText(*place.lacking), QString::fromStdString(body.shown()));
   } else if (place.lacking) {
-    lack = tr("the object is at most %1 too large.").arg(lengthText(*place.lacking));
+    lack = tr("needs up to %1 more room.").arg(lengthText(*place.lacking));
   }
   const QString key = bench_.actions["assist.go"]->shortcut().toString(QKeySequence::NativeText);
   const QString next =

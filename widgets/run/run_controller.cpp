@@ -6,6 +6,7 @@
 #include <QThread>
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/base/enum_names.h"
 #include "engine/base/number_text.h"
@@ -155,6 +156,7 @@ void RunController::connectActions() {
     bench_.session.post(pause ? Command(command::Pause{}) : Command(command::Resume{}));
   });
   bench_.onAction("run.stop", this, [this] { bench_.session.post(command::Stop{}); });
+  bench_.onAction("run.finish", this, [this] { finish(); });
   bench_.onAction("run.restart", this, [this] { restart(bench_.document.settings().seed); });
   bench_.onAction("run.restart-new-seed", this, [this] { restart(bench_.document.settings().seed + 1); });
   bench_.onAction("run.tuning", this, [this](bool tune) {
@@ -180,7 +182,10 @@ void RunController::updateSession(Changes what) {
 }
 
 void RunController::takeSnapshot(const SessionSnapshot& snapshot) {
-  bench_.document.setSettings({snapshot.plannerId, snapshot.seed, snapshot.parameters});
+  followFinish(snapshot);
+  followStrategy(snapshot);
+  const bool areTemporary = finishing_ || bench_.document.isTemporary();
+  if (!areTemporary) bench_.document.setSettings({snapshot.plannerId, snapshot.seed, snapshot.parameters});
   bench_.document.setResults({snapshot.path, snapshot.refused, snapshot.provenance, snapshot.smoothed});
 }
 
@@ -199,6 +204,7 @@ void RunController::enableActions(const SessionSnapshot* snapshot) {
   bench_.enable("run.start", live && !running);
   bench_.enable("run.pause", running);
   bench_.enable("run.stop", running);
+  bench_.enable("run.finish", running && snapshot->plannerId == "by-hand" && !finishing_);
   for (const char* id : {"run.restart", "run.restart-new-seed", "run.tuning", "object.to-start"}) {
     bench_.enable(id, live);
   }
@@ -223,6 +229,42 @@ void RunController::restart(std::uint64_t seed) {
     bench_.session.post(command::SetSeed{seed});
     bench_.session.post(command::Start{});
   });
+}
+
+void RunController::finish() {
+  const ParameterValues& now = bench_.session.snapshot()->parameters;
+  finishing_ = ByHand{now[ParameterId::Alpha], now[ParameterId::Pace]};
+  bench_.session.post(command::SetParameter{ParameterId::Pace, 0.0});
+  bench_.session.post(command::SetParameter{ParameterId::Alpha, 1.0});
+}
+
+void RunController::followFinish(const SessionSnapshot& snapshot) {
+  if (!finishing_ || isRunning(snapshot)) return;
+  const ByHand before = *std::exchange(finishing_, std::nullopt);
+  setLater(ParameterId::Alpha, before.alpha);
+  setLater(ParameterId::Pace, before.pace);
+}
+
+void RunController::setLater(ParameterId id, double value) {
+  // A snapshot is being announced, and setting a parameter announces the next one.
+  QMetaObject::invokeMethod(
+      this,
+      [this, id, value] {
+        bench_.session.post(command::SetParameter{id, value});
+      },
+      Qt::QueuedConnection);
+}
+
+void RunController::followStrategy(const SessionSnapshot& snapshot) {
+  const std::string before = std::exchange(strategy_, snapshot.plannerId);
+  if (before == strategy_ || bench_.session.clock() == SessionClock::Lockstep) return;
+  const double pace = snapshot.parameters[ParameterId::Pace];
+  const double ofPerson = snapshot.parameters[ParameterId::StepsPerSecond];
+  if (strategy_ == "by-hand" && pace == 0.0) {
+    setLater(ParameterId::Pace, ofPerson);
+  } else if (before == "by-hand" && pace == ofPerson) {
+    setLater(ParameterId::Pace, 0.0);
+  }
 }
 
 void RunController::editRules() {

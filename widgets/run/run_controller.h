@@ -2,6 +2,8 @@
 
 #include <QLabel>
 
+#include <optional>
+#include <string>
 #include "widgets/run/counts_panel.h"
 #include "widgets/run/interaction_panel.h"
 #include "widgets/workbench/workbench.h"
@@ -29,6 +31,12 @@ class RunController final : public QObject {
   void enableActions(const SessionSnapshot* snapshot);
   void chooseDevice(const std::string& id);
   void restart(std::uint64_t seed);
+  /// Gives the rest of the run to the computer, at full speed. Once the run has ended, the settings are as before.
+  void finish();
+  void setLater(ParameterId id, double value);
+  void followFinish(const SessionSnapshot& snapshot);
+  /// A run by hand goes at the pace of a person from the moment on at which this strategy is chosen.
+  void followStrategy(const SessionSnapshot& snapshot);
   /// Shows the rules of the strategy. Changed rules become the scenario's own.
   void editRules();
 
@@ -37,6 +45,13 @@ class RunController final : public QObject {
   CountsPanel* counts_;
   QLabel* status_;
   QLabel* elapsed_;
+  /// Settings of a run by hand that the computer finishes.
+  struct ByHand {
+    double alpha;
+    double pace;
+  };
+  std::optional<ByHand> finishing_;
+  std::string strategy_;  ///< of the last snapshot
 };
 
 }  // namespace glissade

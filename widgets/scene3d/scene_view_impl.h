@@ -210,7 +210,8 @@ struct SceneView::Impl {
   void showHelpArrow(bool shown) {
     helpArrow->removeChildren(0, helpArrow->getNumChildren());
     if (!help.places || !shown) return;
-    const auto arrow = makeHelpArrow(help, snapshot->device.q_device, markScale(), palette);
+    const double radius = scenario->problem.world->objectRadius();
+    const auto arrow = makeHelpArrow(help, snapshot->device.q_device, radius, markScale(), palette);
     if (arrow) helpArrow->addChild(arrow);
   }
 
@@ -432,7 +433,8 @@ struct SceneView::Impl {
   void showGuidance() {
     if (!object || !snapshot) return;
     const bool shown = visible(SceneLayer::Guidance) && !playback && !snapshot->path;
-    fill(SceneLayer::Guidance, shown ? makeGuidance(snapshot->device, markScale(), palette) : nullptr);
+    const bool helps = help.places && help.taken;  // one arrow at a time
+    fill(SceneLayer::Guidance, shown && !helps ? makeGuidance(snapshot->device, markScale(), palette) : nullptr);
     const float strength = shown ? guidanceStrength(snapshot->device.guidance) : 0.0F;
     setBodyColour(*object, guidanceTint(toOsg(scenario->object.colour), strength, palette));
   }

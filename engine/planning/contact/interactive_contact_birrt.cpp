@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/base/tolerances.h"
+#include "engine/planning/path_certificate.h"
 
 namespace glissade {
 namespace {
@@ -21,11 +22,13 @@ InteractiveContactBirrt::InteractiveContactBirrt(const Problem& problem, std::ui
       randomShooter_(problem, seed),
       contactSampler_(seed),
       contactFollower_(problem.world->objectRadius(), seed),
+      trail_(problem),
       tuner_(problem.world->objectRadius()) {}
 
 bool InteractiveContactBirrt::solve(PlannerHost& host) {
   while (!path_) {
     const std::size_t edgesBefore = roadmap_.edges().size();
+    followHand(host);
     if (contactSamplesLeft_ > 0) {
       contactSampling(host);
     } else {
@@ -37,6 +40,12 @@ bool InteractiveContactBirrt::solve(PlannerHost& host) {
     if (!host.afterStep()) break;
   }
   return path_.has_value();
+}
+
+/// The way of the hand is a tree, whoever has authority.
+void InteractiveContactBirrt::followHand(PlannerHost& host) {
+  if (operatorUse_ != OperatorUse::GuideContactAndTrail) return;
+  if (const auto device = host.operatorSample()) trail_.follow(*device, roadmap_, *query_, host);
 }
 
 /// One pass of Algorithm 1; the numbers are its lines. Line 9 of the following passes is in solve().
@@ -57,14 +66,19 @@ void InteractiveContactBirrt::iterate(PlannerHost& host) {
       enterContactSampling(*device, host);
       contactSampling(host);  // line 9
     }
-  } else {
+  } else if (inForce.alpha > 0.0 || !device) {
     randomShooter(host);  // lines 12, 13
+  } else {
+    passStep(Author::Operator);  // the operator alone, who shows nothing new
   }
 }
 
 bool InteractiveContactBirrt::operatorHasAuthority(double a, double alpha,
                                                    const std::optional<OperatorSample>& device) {
   if (!device || a <= alpha) return false;
+  handHasMoved_ = handHasMoved_ || device->q_device != problem_.start;
+  // Joining start and goal is no work of an operator who has not moved.
+  if (!handHasMoved_ && (alpha == 0.0 || operatorUse_ == OperatorUse::GuideContactAndTrail)) return false;
   if (device->moves != restingAt_) {
     restingAt_ = device->moves;
     usedAtRest_ = 0;
@@ -102,6 +116,27 @@ void InteractiveContactBirrt::observeStep(std::size_t edgesBefore, PlannerHost& 
 std::optional<TuningReport> InteractiveContactBirrt::tuning() const {
   if (tuned_ == 0) return std::nullopt;
   return tuner_.report();
+}
+
+InteractiveContactBirrt::HandWay InteractiveContactBirrt::handWay(PlannerHost& host) {
+  while (trail_.end()) {
+    const Node end = *trail_.end();
+    const auto goal =
+        std::find_if(goalRoots_.begin(), goalRoots_.end(), [&](Node root) { return roadmap_.connected(root, end); });
+    HandWay found;
+    found.fromStart = roadmap_.connected(startRoot_, end);
+    found.toGoal = goal != goalRoots_.end();
+    const Node beginning = roadmap_.connected(trail_.beginning(), end) ? trail_.beginning() : end;
+    const auto way =
+        roadmap_.way(found.fromStart ? startRoot_ : beginning, found.toGoal && !found.fromStart ? *goal : end);
+    found.points = pointsOf(*way);
+    if (way->edges.empty()) return found;
+    const auto refused = firstRefusedEdge(*query_, found.points, host.parameters(), host.stopToken());
+    if (!refused) return found;
+    if (host.stopToken().stopRequested()) break;
+    roadmap_.dropEdge(way->edges[refused->edge]);
+  }
+  return {};
 }
 
 void InteractiveContactBirrt::contactSampling(PlannerHost& host) {
