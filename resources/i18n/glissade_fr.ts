@@ -11167,16 +11167,16 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Installez Glissade en entier.</translation>
     </message>
     <message>
-        <source>The computer&apos;s share of the iterations: 1 is the automatic planner alone. 0 is the operator alone, and nothing is planned before the hand has moved.</source>
-        <translation>Part de l&apos;ordinateur dans les itérations : 1, le planificateur automatique seul ; 0, l&apos;opérateur seul, et rien n&apos;est planifié avant que la main ait bougé.</translation>
-    </message>
-    <message>
         <source>With my hand</source>
         <translation>Avec ma main</translation>
     </message>
     <message>
         <source>You steer the object. The way of your hand is kept and proved, and the computer searches from it; at α = 1 the automatic planners finish the path.</source>
-        <translation>Vous guidez l&apos;objet. Le trajet de votre main est conservé et prouvé, et l&apos;ordinateur cherche à partir de lui ; à α = 1, les planificateurs automatiques finissent le chemin.</translation>
+        <translation>Vous guidez l&apos;objet. Le trajet de votre main est conservé et prouvé, et l&apos;ordinateur cherche à partir de lui&#xa0;; à α = 1, les planificateurs automatiques finissent le chemin.</translation>
+    </message>
+    <message>
+        <source>The computer&apos;s share of the iterations: 1 is the automatic planner alone, 0 the operator alone. While the hand rests the computer goes on, except at 0 in the strategy With my hand.</source>
+        <translation>La part de l&apos;ordinateur dans les itérations&#xa0;: 1 est le planificateur seul, 0 l&apos;opérateur seul. Tant que la main est immobile, l&apos;ordinateur continue, sauf à 0 avec la stratégie Avec ma main.</translation>
     </message>
 </context>
 <context>
@@ -14615,7 +14615,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>%1 steps a second: real time</source>
-        <translation>%1 pas par seconde : temps réel</translation>
+        <translation>%1 pas par seconde&#xa0;: temps réel</translation>
     </message>
 </context>
 <context>
@@ -16164,7 +16164,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>Step %1 by hand: %2</source>
-        <translation>Étape %1 à la main : %2</translation>
+        <translation>Étape %1 à la main&#xa0;: %2</translation>
     </message>
     <message>
         <source>Start a run. Its certified path becomes the step. Esc goes back.</source>

@@ -170,6 +170,7 @@ void RunController::connectActions() {
 void RunController::updateSession(Changes what) {
   const WorkbenchDocument& document = bench_.document;
   if (what & Change::Scenario) {
+    finishing_.reset();  // its settings belong to another scenario
     bench_.session.open(document.scenario());
   } else if (what & Change::Arrangement) {
     bench_.session.rearrange(document.scenario());
@@ -182,9 +183,9 @@ void RunController::updateSession(Changes what) {
 }
 
 void RunController::takeSnapshot(const SessionSnapshot& snapshot) {
+  const bool areTemporary = finishing_ || bench_.document.isTemporary();
   followFinish(snapshot);
   followStrategy(snapshot);
-  const bool areTemporary = finishing_ || bench_.document.isTemporary();
   if (!areTemporary) bench_.document.setSettings({snapshot.plannerId, snapshot.seed, snapshot.parameters});
   bench_.document.setResults({snapshot.path, snapshot.refused, snapshot.provenance, snapshot.smoothed});
 }
@@ -232,17 +233,16 @@ void RunController::restart(std::uint64_t seed) {
 }
 
 void RunController::finish() {
-  const ParameterValues& now = bench_.session.snapshot()->parameters;
-  finishing_ = ByHand{now[ParameterId::Alpha], now[ParameterId::Pace]};
+  finishing_ = bench_.session.snapshot()->parameters;
   bench_.session.post(command::SetParameter{ParameterId::Pace, 0.0});
   bench_.session.post(command::SetParameter{ParameterId::Alpha, 1.0});
 }
 
 void RunController::followFinish(const SessionSnapshot& snapshot) {
   if (!finishing_ || isRunning(snapshot)) return;
-  const ByHand before = *std::exchange(finishing_, std::nullopt);
-  setLater(ParameterId::Alpha, before.alpha);
-  setLater(ParameterId::Pace, before.pace);
+  const ParameterValues before = *std::exchange(finishing_, std::nullopt);
+  // Setting alpha ends its tuning, so that the tuning comes last.
+  for (const ParameterId id : {ParameterId::Alpha, ParameterId::Pace, ParameterId::Tuning}) setLater(id, before[id]);
 }
 
 void RunController::setLater(ParameterId id, double value) {

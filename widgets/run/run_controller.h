@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+
 #include "widgets/run/counts_panel.h"
 #include "widgets/run/interaction_panel.h"
 #include "widgets/workbench/workbench.h"
@@ -45,13 +46,8 @@ class RunController final : public QObject {
   CountsPanel* counts_;
   QLabel* status_;
   QLabel* elapsed_;
-  /// Settings of a run by hand that the computer finishes.
-  struct ByHand {
-    double alpha;
-    double pace;
-  };
-  std::optional<ByHand> finishing_;
-  std::string strategy_;  ///< of the last snapshot
+  std::optional<ParameterValues> finishing_;  ///< settings of a run by hand that the computer finishes
+  std::string strategy_;                      ///< of the last snapshot
 };
 
 }  // namespace glissade

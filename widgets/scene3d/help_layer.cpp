@@ -38,10 +38,10 @@ osg::ref_ptr<osg::Group> makeHelp(const HelpPicture& help, const LoadedScenario&
 }
 
 osg::ref_ptr<osg::Group> makeHelpArrow(const HelpPicture& help, const Pose& q_device, double objectRadius,
-                                       const MarkScale& scale, const ScenePalette& palette) {
+                                       CollisionQuery& sight, const MarkScale& scale, const ScenePalette& palette) {
   if (!help.taken) return nullptr;
   const std::vector<Pose>& passage = (*help.places)[help.chosen].passage;
-  const auto ahead = aheadOnWay(passage, q_device, Se3Metric(objectRadius), kAheadOnPassage * objectRadius);
+  const auto ahead = aheadInSight(passage, q_device, Se3Metric(objectRadius), kAheadOnPassage * objectRadius, sight);
   return ahead ? makeGuideArrow(q_device.position, ahead->position, scale, palette) : nullptr;
 }
 

@@ -39,7 +39,7 @@ class SequenceHand final : public QObject {
     std::optional<std::size_t> step;  ///< index in the plan; nothing: the part was stuck
     bool begun = false;               ///< the document has the scenario of the run
     bool smoothing = false;           ///< the path is being smoothed
-    std::string strategy;             ///< before the run
+    std::string strategy{};           ///< before the run
   };
 
   void begin();
@@ -52,9 +52,6 @@ class SequenceHand final : public QObject {
   void goBack(const std::function<void()>& then);
   void enableActions();
 
-  const Workbench& bench_;
-  SequenceController& sequence_;
-  NoticeBar* banner_;
   /// Takes the part in the person's hand, with a strategy that uses it.
   void takeInHand();
   void showBanner();
@@ -65,6 +62,9 @@ class SequenceHand final : public QObject {
   /// Whether the document's object consists of the bodies of the run.
   bool hasObject() const;
 
+  const Workbench& bench_;
+  SequenceController& sequence_;
+  NoticeBar* banner_;
   std::optional<Run> run_;
   bool goingBack_ = false;
 };

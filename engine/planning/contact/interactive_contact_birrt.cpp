@@ -66,19 +66,17 @@ void InteractiveContactBirrt::iterate(PlannerHost& host) {
       enterContactSampling(*device, host);
       contactSampling(host);  // line 9
     }
-  } else if (inForce.alpha > 0.0 || !device) {
-    randomShooter(host);  // lines 12, 13
+  } else if (operatorUse_ == OperatorUse::GuideContactAndTrail && device && inForce.alpha <= 0.0) {
+    passStep(Author::Operator);  // the operator is alone, and shows nothing new
   } else {
-    passStep(Author::Operator);  // the operator alone, who shows nothing new
+    randomShooter(host);  // lines 12, 13
   }
 }
 
 bool InteractiveContactBirrt::operatorHasAuthority(double a, double alpha,
                                                    const std::optional<OperatorSample>& device) {
   if (!device || a <= alpha) return false;
-  handHasMoved_ = handHasMoved_ || device->q_device != problem_.start;
-  // Joining start and goal is no work of an operator who has not moved.
-  if (!handHasMoved_ && (alpha == 0.0 || operatorUse_ == OperatorUse::GuideContactAndTrail)) return false;
+  if (operatorUse_ == OperatorUse::GuideContactAndTrail && !trail_.handHasMoved()) return false;
   if (device->moves != restingAt_) {
     restingAt_ = device->moves;
     usedAtRest_ = 0;
@@ -119,21 +117,22 @@ std::optional<TuningReport> InteractiveContactBirrt::tuning() const {
 }
 
 InteractiveContactBirrt::HandWay InteractiveContactBirrt::handWay(PlannerHost& host) {
-  while (trail_.end()) {
-    const Node end = *trail_.end();
-    const auto goal =
-        std::find_if(goalRoots_.begin(), goalRoots_.end(), [&](Node root) { return roadmap_.connected(root, end); });
+  while (trail_.longest()) {
+    const HandTrail::Stretch& shown = *trail_.longest();
+    const auto goal = std::find_if(goalRoots_.begin(), goalRoots_.end(),
+                                   [&](Node root) { return roadmap_.connected(root, shown.end); });
     HandWay found;
-    found.fromStart = roadmap_.connected(startRoot_, end);
-    found.toGoal = goal != goalRoots_.end();
-    const Node beginning = roadmap_.connected(trail_.beginning(), end) ? trail_.beginning() : end;
-    const auto way =
-        roadmap_.way(found.fromStart ? startRoot_ : beginning, found.toGoal && !found.fromStart ? *goal : end);
+    found.fromStart = roadmap_.connected(startRoot_, shown.end);
+    found.toGoal = !found.fromStart && goal != goalRoots_.end();
+    const Node begun = roadmap_.connected(shown.beginning, shown.end) ? shown.beginning : shown.end;
+    const Node root = found.fromStart ? startRoot_ : found.toGoal ? *goal : begun;
+    const auto pieces = [&](Node node) { return roadmap_.way(root, node)->edges.size(); };
+    const Node farther = pieces(begun) > pieces(shown.end) ? begun : shown.end;
+    const auto way = found.toGoal ? roadmap_.way(farther, root) : roadmap_.way(root, farther);
     found.points = pointsOf(*way);
-    if (way->edges.empty()) return found;
     const auto refused = firstRefusedEdge(*query_, found.points, host.parameters(), host.stopToken());
     if (!refused) return found;
-    if (host.stopToken().stopRequested()) break;
+    if (way->edges.empty() || host.stopToken().stopRequested()) break;
     roadmap_.dropEdge(way->edges[refused->edge]);
   }
   return {};

@@ -27,9 +27,9 @@ enum class OperatorUse {
 /// N. Blin, M. Taix, P. Fillatreau, J.-Y. Fourquet, "Tuning Interaction in Motion Planning with Contact", IEEE RO-MAN
 /// 2016, Algorithm 1. Deviations: N contact samples take N steps of the loop here, so that a stop, a pause or a changed
 /// parameter is seen between any two; near-duplicates of the operator's samples are not kept, and an operator at rest
-/// loses authority after kRestBudget configurations from one pose; at alpha = 0 joining start and goal waits until the
-/// hand has moved; every delivered path is certified. GuideContactAndTrail deviates further: the way of the hand is a
-/// third tree (HandTrail), and a hand that has not moved has no authority.
+/// loses authority after kRestBudget configurations from one pose; every delivered path is certified.
+/// GuideContactAndTrail deviates further: the way of the hand is a third tree (HandTrail), a hand that has not moved
+/// has no authority, and at alpha = 0 the computer draws nothing while the hand rests.
 class InteractiveContactBirrt final : public AddTreePlanner, public ReportsInteraction {
  public:
   InteractiveContactBirrt(const Problem& problem, std::uint64_t seed, OperatorUse operatorUse);
@@ -40,8 +40,8 @@ class InteractiveContactBirrt final : public AddTreePlanner, public ReportsInter
   bool inContactMode() const override { return contactSamplesLeft_ > 0; }
   std::optional<TuningReport> tuning() const override;
 
-  /// The way of the hand, every edge certified: from the start, where it is joined to the start's tree, else to the
-  /// goal, where it is joined to that, else on its own.
+  /// The longest way that the hand has shown, every edge certified: from the start, where it is joined to the start's
+  /// tree, else to the goal, where it is joined to that, else on its own.
   struct HandWay {
     std::vector<PathPoint> points;  ///< empty: the hand has shown nothing
     bool fromStart = false;
@@ -73,7 +73,6 @@ class InteractiveContactBirrt final : public AddTreePlanner, public ReportsInter
   std::uint64_t usedAtRest_ = 0;  ///< configurations shot from that pose
 
   InteractionTuner tuner_;
-  bool handHasMoved_ = false;
   bool held_ = false;              ///< a person held the object at the last iteration
   int tuned_ = 0;                  ///< bits of TunedSetting at the last step
   double contactClearance_ = 0.0;  ///< clearance of the hand when contact mode was entered last
