@@ -308,7 +308,7 @@ PairBounds boundsOf(const MeasuredBody& one, const MeasuredBody& other, const Fi
       kTouchingSurfaces + spacing + std::max(bounds.one.largest.deflection, bounds.other.largest.deflection);
   const RoundOverlap round = roundOverlap(one.body, other.body);
   // A shaft in a hole is as thick as its diameter, wherever the deepest point is. A thread is no clash.
-  const bool isRound = std::max(ofOne, ofOther) <= off + round.depth;
+  const bool isRound = std::max(ofOne, ofOther) <= touchingReach(one.body, other.body) + round.depth;
   const double thickness =
       std::max({one.measured.overlap.thickness, other.measured.overlap.thickness, isRound ? 2.0 * round.radius : 0.0});
   const bool isThread = isRound && isCoreOfThread(round.radius, round.depth);
@@ -316,7 +316,7 @@ PairBounds boundsOf(const MeasuredBody& one, const MeasuredBody& other, const Fi
   if (!isThread && isClash(ofOther, thickness, fits, word)) refuseClash(bounds.other);
   bounds.depth = inMicrometresUp(std::min(ofOne, ofOther));
   const bool isStated = word != nullptr && (word->allowance || !word->kind.empty() || word->accepted);
-  bounds.isPlainOverlap = !isStated && bounds.depth > off + round.depth;
+  bounds.isPlainOverlap = !isStated && !isThread && bounds.depth > off + round.depth;
   bounds.isRefused = bounds.one.most <= 0.0 && bounds.other.most <= 0.0 &&
                      (bounds.one.isClash || bounds.other.isClash) && !fits.accepts(word, bounds.depth);
   return bounds;

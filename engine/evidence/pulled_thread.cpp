@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/evidence/crests.h"
+#include "engine/evidence/overlap.h"
 #include "engine/evidence/thread.h"
 #include "engine/geometry/thread_standards.h"
 
@@ -146,7 +147,10 @@ class TurnOut {
 
 bool isCoreOfThread(double radius, double depth) {
   constexpr double kMostPressed = 0.35e-3;
-  return depth > kMostPressed && pitchOfCore(2.0 * radius, depth) > 0.0;
+  if (depth <= kMostPressed) return false;
+  const double pitch = pitchOfCore(2.0 * radius, depth);
+  if (pitch <= 0.0 || depth <= kClashOverlap) return pitch > 0.0;
+  return isCoarsePitch(2.0 * radius, pitch) || isCoreByStandard(pitch, depth);
 }
 
 RoundOverlap roundOverlap(const PlacedBody& one, const PlacedBody& other) {

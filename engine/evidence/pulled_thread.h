@@ -45,7 +45,8 @@ inline constexpr double kMostThreadDepth = 0.3;
 
 /// True if the core of a standard thread is this much thinner than a shaft of this radius, metres: the hole is drawn as
 /// the core. Fine threads of large diameters are less deep than kLeastThreadDepth. What is pressed in is not thicker by
-/// more than a third of a millimetre.
+/// more than a third of a millimetre. An overlap that is as deep as a clash has a coarse pitch, or a fine one with
+/// the depth of the standard: the fine pitches of a large diameter together suit almost every depth.
 bool isCoreOfThread(double radius, double depth);
 
 /// The threads that the pair has in common, which come apart by turning: a shaft of the one in a hole of the other,

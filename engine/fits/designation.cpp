@@ -502,7 +502,7 @@ std::optional<Designation> readPart(const std::string& name, bool* isUnknown) {
 std::optional<Designation> readDesignation(const std::string& name, bool* isUnknown) {
   auto found = readPart(name, isUnknown);
   if (!found || found->diameter <= 0.0 || !isLeftHanded(name)) return found;
-  const double pitch = found->pitch > 0.0 ? found->pitch : isoCoarsePitch(0.5 * found->diameter).pitch;
+  const double pitch = found->pitch > 0.0 ? found->pitch : coarsePitch(0.5 * found->diameter).pitch;
   found->pitch = -pitch;
   found->text += " LH";
   return found;

@@ -52,7 +52,7 @@ FitThread fitThreadOf(const ThreadQuestion& question, const StopToken& stop) {
     rule.pitch = *question.edit->pitch;
     return thread;
   }
-  const ThreadPitch coarse = isoCoarsePitch(rule.objectIsShaft ? axis.radiusB : axis.radiusA);
+  const ThreadPitch coarse = coarsePitch(rule.objectIsShaft ? axis.radiusB : axis.radiusA);
   rule.pitch = coarse.pitch;
   thread.size = coarse.size;
   return thread;

@@ -57,7 +57,7 @@ void addThread(const Designation& said, Joint& joint) {
     doubt(joint, GLISSADE_TEXT("the name says a left-hand thread, the shape is a right-hand one"));
   }
   if (thread.isPitchStated) return;
-  thread.pitch = said.pitch != 0.0 ? said.pitch : isoCoarsePitch(0.5 * said.diameter).pitch;
+  thread.pitch = said.pitch != 0.0 ? said.pitch : coarsePitch(0.5 * said.diameter).pitch;
   if (said.pitch < 0.0) joint.evidence.emplace_back(GLISSADE_TEXT("the name says a left-hand thread"));
 }
 

@@ -60,7 +60,7 @@ struct HostFit {
 bool hasDepthOfCoarseThread(double radius, double excess) {
   constexpr double kLeast = 0.3;
   constexpr double kMost = 0.8;
-  const double inPitches = excess / isoCoarsePitch(radius).pitch;
+  const double inPitches = excess / coarsePitch(radius).pitch;
   return isThreadDepth(radius, excess) && inPitches >= kLeast && inPitches <= kMost;
 }
 

@@ -89,7 +89,7 @@ std::optional<double> modelledPitch(const AxialMesh& screw, const TurnedShape& s
     if (std::abs(slope) * 2.0 * half < kFewestTurns * 2.0 * std::numbers::pi) continue;
     const double pitch = 2.0 * std::numbers::pi / slope;
     if (std::abs(starts * pitch) > evidence::kMostLead * 2.0 * shape.shaft) continue;
-    const double standard = std::copysign(isoCoarsePitch(shape.shaft).pitch, pitch);
+    const double standard = std::copysign(coarsePitch(shape.shaft).pitch, pitch);
     return starts * (std::abs(pitch - standard) < kStandardShare * std::abs(standard) ? standard : pitch);
   }
   return std::nullopt;

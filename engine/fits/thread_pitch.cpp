@@ -16,10 +16,21 @@ constexpr double kNominalShare = 0.04;
 constexpr double kLeastDepth = 0.02;
 constexpr double kLeastDepthInPitches = 0.13;
 
+/// Relative deviation of a shaft that is drawn with the outer diameter of its thread.
+constexpr double kExactly = 0.003;
+
+bool isExactly(const ThreadSize& size, double diameter) {
+  return std::abs(diameter - size.diameter) <= kExactly * size.diameter;
+}
+
 }  // namespace
 
-ThreadPitch isoCoarsePitch(double radius) {
-  const ThreadSize& nearest = nearestThreadSize(ThreadFamily::Metric, 2.0 * radius);
+ThreadPitch coarsePitch(double radius) {
+  const double diameter = 2.0 * radius;
+  const ThreadSize& metric = nearestThreadSize(ThreadFamily::Metric, diameter);
+  const ThreadSize& inch = nearestThreadSize(ThreadFamily::Unified, diameter);
+  const bool isInch = inch.pitch > 0.0 && isExactly(inch, diameter) && !isExactly(metric, diameter);
+  const ThreadSize& nearest = isInch ? inch : metric;
   return {nearest.pitch, nearest.name};
 }
 
@@ -31,11 +42,16 @@ std::string nominalSize(double diameter) {
 
 double pitchOfDepth(double radius, double depth) {
   const double pitch = pitchOfCore(2.0 * radius, depth);
-  return pitch > 0.0 ? pitch : isoCoarsePitch(radius).pitch;
+  return pitch > 0.0 ? pitch : coarsePitch(radius).pitch;
+}
+
+double pitchOfHole(double radius, double hole) {
+  const double pitch = pitchOfCore(2.0 * radius, radius - hole);
+  return pitch > 0.0 && isCoreByStandard(pitch, radius - hole) ? pitch : coarsePitch(radius).pitch;
 }
 
 bool isThreadDepth(double radius, double depth) {
-  const double inPitches = kLeastDepthInPitches * isoCoarsePitch(radius).pitch;
+  const double inPitches = kLeastDepthInPitches * coarsePitch(radius).pitch;
   return (depth > kLeastDepth * radius && depth > std::min(inPitches, evidence::kLeastThreadDepth * radius)) ||
          evidence::isCoreOfThread(radius, depth);
 }

@@ -192,7 +192,7 @@ class ThreadedJointFinder {
   JointThread threadOf(const ScrewStack& stack, std::size_t body, const TurnedShape& shape) const {
     JointThread thread;
     thread.diameter = 2.0 * shape.shaft;
-    thread.pitch = isoCoarsePitch(shape.shaft).pitch;
+    thread.pitch = pitchOfHole(shape.shaft, stack.hosts.front().hole);
     if (const auto pitch = modelledPitch(shapes_.axial(body), shape)) {
       thread.pitch = *pitch;
       thread.isPitchStated = true;

@@ -240,6 +240,12 @@ std::vector<ThreadSize> trapezoidalSizes() {
   return sizes;
 }
 
+/// True if the diameter is the size's own, as precisely as threads are drawn.
+bool isOfSize(double diameter, const ThreadSize& size) {
+  constexpr double kNominalShare = 0.02;
+  return std::abs(diameter - size.diameter) <= kNominalShare * size.diameter;
+}
+
 }  // namespace
 
 const std::vector<ThreadSize>& threadSizes(ThreadFamily family) {
@@ -275,16 +281,32 @@ std::vector<double> metricPitches(double diameter) {
 double pitchOfCore(double diameter, double depth) {
   constexpr double kShallowest = 0.48;
   constexpr double kDeepest = 0.65;
-  constexpr double kNominalShare = 0.02;
   std::vector<double> pitches = metricPitches(diameter);
   const ThreadSize& inch = nearestThreadSize(ThreadFamily::Unified, diameter);
-  if (std::abs(diameter - inch.diameter) <= kNominalShare * inch.diameter) {
+  if (isOfSize(diameter, inch)) {
     pitches.push_back(inch.pitch);
     pitches.insert(pitches.end(), inch.finePitches.begin(), inch.finePitches.end());
   }
   const auto suits = [&](double pitch) { return depth >= kShallowest * pitch && depth <= kDeepest * pitch; };
   const auto found = std::find_if(pitches.begin(), pitches.end(), suits);
   return found == pitches.end() ? 0.0 : *found;
+}
+
+bool isCoreByStandard(double pitch, double depth) {
+  constexpr double kOfNut = 0.541266;
+  constexpr double kOfBolt = 0.613435;
+  const auto isDepth = [&](double inPitches) {
+    return std::abs(depth - inPitches * pitch) <= 0.01 * inPitches * pitch;
+  };
+  return isDepth(kOfNut) || isDepth(kOfBolt);
+}
+
+bool isCoarsePitch(double diameter, double pitch) {
+  const auto isCoarseIn = [&](ThreadFamily family) {
+    const ThreadSize& size = nearestThreadSize(family, diameter);
+    return isOfSize(diameter, size) && size.pitch == pitch;
+  };
+  return isCoarseIn(ThreadFamily::Metric) || isCoarseIn(ThreadFamily::Unified);
 }
 
 }  // namespace glissade

@@ -43,4 +43,11 @@ std::vector<double> metricPitches(double diameter);
 /// coarse ones before fine ones; 0: there is none. Metres.
 double pitchOfCore(double diameter, double depth);
 
+/// True if the depth (as in pitchOfCore()) is, within 1 %, that of a thread of this pitch by ISO 68-1: of the core of
+/// the nut or of the bolt. A hole of the tap drill is less deep, and has a diameter that other holes have, too.
+bool isCoreByStandard(double pitch, double depth);
+
+/// True if it is the coarse pitch of the metric or unified size of this outer diameter, within 2 %. Metres.
+bool isCoarsePitch(double diameter, double pitch);
+
 }  // namespace glissade

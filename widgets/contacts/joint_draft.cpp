@@ -50,7 +50,7 @@ JointThread threadOf(const TurnedShape* shape) {
   const double radius = shape == nullptr ? 0.0 : std::max(shape->shaft, shape->hole);
   JointThread thread;
   thread.diameter = radius > 0.0 ? 2.0 * radius : kUsualDiameter;
-  thread.pitch = isoCoarsePitch(0.5 * thread.diameter).pitch;
+  thread.pitch = coarsePitch(0.5 * thread.diameter).pitch;
   thread.engaged = kUsualEngaged * thread.diameter;
   if (shape != nullptr && shape->kind == TurnedKind::Nut) thread.engaged = shape->length();
   return thread;

@@ -25,7 +25,7 @@ struct Joined {
 /// size.
 QString threadSizeText(const JointThread& thread) {
   const std::string nominal = nominalSize(thread.diameter);
-  const double coarse = isoCoarsePitch(0.5 * thread.diameter).pitch;
+  const double coarse = coarsePitch(0.5 * thread.diameter).pitch;
   const QString size =
       nominal.empty() ? QStringLiteral("Ø ") + columnLengthText(thread.diameter) : QString::fromStdString(nominal);
   const double pitch = std::abs(thread.pitch);

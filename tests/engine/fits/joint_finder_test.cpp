@@ -56,7 +56,7 @@ TEST_P(DrawnThread, IsFoundFromM2ToM20InAnyPose) {
     EXPECT_GT(screw.direction.dot(parts.direction(Vector3::UnitZ())), 0.9999) << "it leaves on the side of its head";
     ASSERT_TRUE(screw.thread);
     EXPECT_NEAR(screw.thread->diameter, d, 0.01 * d);
-    EXPECT_EQ(screw.thread->pitch, isoCoarsePitch(0.5 * d).pitch);
+    EXPECT_EQ(screw.thread->pitch, coarsePitch(0.5 * d).pitch);
     EXPECT_FALSE(screw.thread->isPitchStated);
     const double travel = length + top;
     EXPECT_NEAR(screw.thread->travel, travel, 0.05 * d);

@@ -49,6 +49,26 @@ TEST(StuckReasons, AnAcceptedClashNeedsTheNameOfTheBodyThatIsCut) {
   EXPECT_THAT(toString(plan.stuck[0].reason), HasSubstr("(--cut \"across\" or --cut \"along\")"));
 }
 
+/// A bar in a channel encloses the end of a nib on the channel's wall: the bar gets the notch, which holds it.
+TEST(StuckReasons, AnAcceptedClashNamesTheOtherBodyThatCouldBeCut) {
+  const auto channel = test::bodyOf("channel", {{{0.3, 0.02, 0.05}, {0.0, -0.0155, 0.0}},
+                                                {{0.006, 0.01, 0.005}, {0.0, -0.0075, 0.0}},
+                                                {{0.3, 0.02, 0.05}, {0.0, 0.0155, 0.0}},
+                                                {{0.3, 0.05, 0.02}, {0.0, 0.0, -0.0155}},
+                                                {{0.3, 0.05, 0.02}, {0.0, 0.0, 0.0155}}});
+  AssembledProduct product = test::productOf({channel, boxBody("bar", {0.2, 0.01, 0.01}, Pose::identity()),
+                                              boxBody("beside", {0.1, 0.1, 0.1}, Pose::translation({0.5, 0.0, 0.0}))},
+                                             true);
+  product.fits.acceptedClash = 0.004;
+  const AssemblyPlan plan = plainPlanOf(product);
+  ASSERT_EQ(plan.stuck.size(), 1U);
+  const std::string reason = toString(plan.stuck[0].reason);
+  EXPECT_THAT(reason, HasSubstr("'bar' is cut, because its clash with 'channel' ("));
+  EXPECT_THAT(reason, HasSubstr("if 'channel' is the one to cut, name it (--cut \"channel\")"));
+  product.fits.cut = {"channel"};
+  EXPECT_TRUE(plainPlanOf(product).stuck.empty());
+}
+
 TEST(StuckReasons, NothingLeavesWhereEveryBodyStays) {
   const AssembledProduct product = overlapping(0.0);
   test::QuietHost host;
