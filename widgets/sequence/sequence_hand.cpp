@@ -9,6 +9,7 @@
 #include "engine/planning/smoothing/shortcuts.h"
 #include "engine/sequence/demand_conflicts.h"
 #include "engine/sequence/demand_edits.h"
+#include "engine/study/plan_tasks.h"
 #include "widgets/sequence/sequence_controller.h"
 #include "widgets/sequence/sequence_edits.h"
 
@@ -91,7 +92,10 @@ void SequenceHand::takeInHand() {
 void SequenceHand::showBanner() {
   const QString name = nameOf(*run_);
   QString title = tr("%1 by hand").arg(name);
-  if (run_->step) title = tr("Step %1 by hand: %2").arg(*run_->step + 1).arg(name);
+  if (run_->step) {
+    const std::string number = stepNumber(run_->plan.plan->steps.size() - 1 - *run_->step);
+    title = tr("Step %1 by hand: %2").arg(QString::fromStdString(number), name);
+  }
   banner_->showNotice({title,
                        tr("Start a run. Its certified path becomes the step. Esc goes back."),
                        {"sequence.take-path", "sequence.leave-hand", "run.finish"}});
