@@ -183,11 +183,22 @@ void RunController::updateSession(Changes what) {
 }
 
 void RunController::takeSnapshot(const SessionSnapshot& snapshot) {
-  const bool areTemporary = finishing_ || bench_.document.isTemporary();
+  keepSettings(snapshot);
   followFinish(snapshot);
   followStrategy(snapshot);
-  if (!areTemporary) bench_.document.setSettings({snapshot.plannerId, snapshot.seed, snapshot.parameters});
   bench_.document.setResults({snapshot.path, snapshot.refused, snapshot.provenance, snapshot.smoothed});
+}
+
+/// Keeps the settings in the document. What a step by hand or a run that the computer finishes has changed is kept as
+/// it was before.
+void RunController::keepSettings(const SessionSnapshot& snapshot) {
+  RunSettings settings{snapshot.plannerId, snapshot.seed, finishing_.value_or(snapshot.parameters)};
+  if (bench_.document.isTemporary()) {
+    const RunSettings& before = bench_.document.settings();
+    settings.strategy = before.strategy;
+    (void)settings.parameters.set(ParameterId::Pace, before.parameters[ParameterId::Pace]);
+  }
+  bench_.document.setSettings(settings);
 }
 
 void RunController::showRun(const SnapshotPtr& snapshot) {

@@ -28,6 +28,7 @@ class RunController final : public QObject {
   void updateSession(Changes what);
   /// Updates the document from the session.
   void takeSnapshot(const SessionSnapshot& snapshot);
+  void keepSettings(const SessionSnapshot& snapshot);
   void showRun(const SnapshotPtr& snapshot);
   void enableActions(const SessionSnapshot* snapshot);
   void chooseDevice(const std::string& id);
