@@ -6,7 +6,7 @@
 
 namespace glissade {
 
-/// Gives the actions of the toolbar their icons, in the text's colour so that they fit the theme.
+/// Gives each action with a file resources/icons/ID.svg its icon, in the colour of texts so that it fits the theme.
 void applyIcons(const ActionCatalogue& actions, const QColor& colour);
 
 }  // namespace glissade

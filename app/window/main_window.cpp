@@ -10,6 +10,7 @@
 #include "app/window/menus.h"
 #include "app/window/preferences_controller.h"
 #include "app/window/theme.h"
+#include "app/window/window_actions.h"
 #include "app/window/window_script.h"
 #include "widgets/arrange/arrange_controller.h"
 #include "widgets/arrange/workspace_notice.h"
@@ -49,7 +50,7 @@ namespace glissade {
 
 MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
     : scene_(makeScene(this)),
-      actions_(*new ActionCatalogue(this)),
+      actions_(*new ActionCatalogue(windowActions(), this)),
       messages_(*this),
       dialogs_(*this, [this] { return files_->folder(); }),
       document_(new WorkbenchDocument(this)),
@@ -203,7 +204,6 @@ void MainWindow::remember(std::unique_ptr<WindowMemory> memory, bool sizeToo) {
 }
 
 void MainWindow::keepUnsavedEdits(const QString& folder) { files_->saves().keepUnsavedEdits(folder); }
-
 void MainWindow::keepJournals(const QString& folder) { recordings_->keepJournals(folder); }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -2,21 +2,17 @@
 
 #include <vector>
 
+#include "widgets/controls/action_catalogue.h"
+
 namespace glissade {
 
-/// A menu of the menu bar, or a submenu.
+/// A menu of the menu bar, or a submenu. Actions state their menu in their own rows (ActionSpec::place).
 struct MenuSpec {
   const char* id;     ///< "menu.file"
-  const char* title;  ///< English, with mnemonic; translated in the context "Menus"
-  /// Ids of actions; ids of menus, which become submenus; "" for a separator.
-  std::vector<const char*> entries;
+  const char* title;  ///< English, with mnemonic; translated in the context "Menus"; null: a controller fills the menu
+  MenuPlace place;    ///< where it is a submenu; no menu: in the menu bar
 };
 
-/// The ids of the menus in the menu bar, in their order.
-const std::vector<const char*>& menuBarTable();
-
-/// All menus that are filled from the action catalogue. Every action is in one of these menus, or in one that a
-/// controller fills: "menu.recent", "menu.versions", "menu.named-views".
 const std::vector<MenuSpec>& menuTable();
 
 }  // namespace glissade

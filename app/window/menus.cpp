@@ -6,6 +6,9 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include <algorithm>
+#include <utility>
+
 #include "app/window/menu_table.h"
 #include "widgets/controls/menu_mnemonics.h"
 #include "widgets/workbench/panel_docks.h"
@@ -15,6 +18,31 @@ namespace {
 
 constexpr const char* kDisplayModes[] = {"display.shaded-edges", "display.shaded", "display.see-through",
                                          "display.wireframe", "display.depth-shading"};
+
+/// A button of the tool bar; "" for a separator.
+struct ToolButton {
+  const char* action;
+  bool hasText = false;   ///< false: the icon needs no text, which would push other buttons off small screens
+  const char* menu = "";  ///< menu of further actions at its side
+};
+
+constexpr ToolButton kToolButtons[] = {
+    {"file.open", true},
+    {"file.save"},
+    {""},
+    {"edit.undo"},
+    {"edit.redo"},
+    {""},
+    {"sequence.plan", true},
+    {"run.start", true},
+    {"run.stop", true},
+    {""},
+    {"sequence.instruction", true},
+    {"measure.distance", false, "menu.measure"},
+    {"section.add-x", false, "menu.section"},
+    {""},
+    {"view.fit"},
+};
 
 /// A tool bar that hides the words of its buttons if it is too narrow for them.
 class ToolBar : public QToolBar {
@@ -49,14 +77,18 @@ class Menus {
   void makeMenuBar(const std::vector<QMenu*>& filledMenus) {
     QHash<QString, QMenu*> menus;
     for (QMenu* menu : filledMenus) menus.insert(menu->objectName(), menu);
+    std::vector<Entry> entries;
     for (const MenuSpec& spec : menuTable()) {
-      auto* menu = new QMenu(tr(spec.title), &window_);
-      menu->setObjectName(QLatin1String(spec.id));
-      menus.insert(menu->objectName(), menu);
+      const QString id = QLatin1String(spec.id);
+      if (spec.title != nullptr) {
+        menus.insert(id, new QMenu(tr(spec.title), &window_));
+        menus[id]->setObjectName(id);
+      }
+      entries.push_back({spec.place, menus[id]->menuAction()});
     }
-    for (const MenuSpec& spec : menuTable()) fill(*menus[QLatin1String(spec.id)], spec.entries, menus);
+    for (const ActionSpec& spec : actions_.specs()) entries.push_back({spec.place, actions_[QLatin1String(spec.id)]});
+    fill(std::move(entries), menus);
     addPanels(*menus[QStringLiteral("menu.panels")]);
-    for (const char* id : menuBarTable()) window_.menuBar()->addMenu(menus[QLatin1String(id)]);
   }
 
   void makeToolBar() {
@@ -65,32 +97,36 @@ class Menus {
     bar->setObjectName(QStringLiteral("tools"));
     bar->setMovable(false);
     bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    for (const char* id : {"file.open", "file.save", "file.export", "", "edit.undo", "edit.redo", "", "run.start",
-                           "run.pause", "run.stop", "run.restart-new-seed", "", "view.fit", "view.isometric",
-                           "view.front", "view.left", "view.top"}) {
-      if (id[0] == '\0') {
+    std::vector<QToolButton*> worded;
+    for (const ToolButton& tool : kToolButtons) {
+      if (tool.action[0] == '\0') {
         bar->addSeparator();
+        continue;
+      }
+      QAction* action = actions_[QLatin1String(tool.action)];
+      bar->addAction(action);
+      auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action));
+      if (tool.menu[0] != '\0') {
+        button->setMenu(window_.findChild<QMenu*>(QLatin1String(tool.menu)));
+        button->setPopupMode(QToolButton::MenuButtonPopup);
+      }
+      if (tool.hasText) {
+        worded.push_back(button);
       } else {
-        bar->addAction(actions_[QLatin1String(id)]);
+        button->setToolButtonStyle(Qt::ToolButtonIconOnly);
       }
     }
-    // These icons need no words, which would push other buttons off small screens.
-    for (const char* id :
-         {"edit.undo", "edit.redo", "view.fit", "view.isometric", "view.front", "view.left", "view.top"}) {
-      auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(actions_[QLatin1String(id)]));
-      button->setToolButtonStyle(Qt::ToolButtonIconOnly);
-    }
-    std::vector<QToolButton*> worded;
-    for (const char* id :
-         {"file.open", "file.save", "file.export", "run.start", "run.pause", "run.stop", "run.restart-new-seed"}) {
-      worded.push_back(qobject_cast<QToolButton*>(bar->widgetForAction(actions_[QLatin1String(id)])));
-    }
     bar->setWorded(std::move(worded));
-    bar->addSeparator();
     addDisplayButton(*bar);
   }
 
  private:
+  /// An action or the title of a menu, with its place.
+  struct Entry {
+    MenuPlace place;
+    QAction* action;
+  };
+
   /// Adds one button for the display modes: it shows the present mode, and its menu lists all modes.
   void addDisplayButton(QToolBar& bar) {
     auto* button = new QToolButton(&bar);
@@ -114,16 +150,20 @@ class Menus {
     bar.addWidget(button);
   }
 
-  void fill(QMenu& menu, const std::vector<const char*>& entries, const QHash<QString, QMenu*>& menus) {
-    for (const char* entry : entries) {
-      const QLatin1String id(entry);
-      if (id.isEmpty()) {
-        menu.addSeparator();
-      } else if (QMenu* submenu = menus.value(id)) {
-        menu.addMenu(submenu);
-      } else {
-        menu.addAction(actions_[id]);
-      }
+  /// Adds each entry to its menu, or to the menu bar, in the order of their places.
+  void fill(std::vector<Entry> entries, const QHash<QString, QMenu*>& menus) {
+    std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+      return std::pair(a.place.group, a.place.order) < std::pair(b.place.group, b.place.order);
+    });
+    QHash<QMenu*, int> groups;
+    for (const auto& [place, action] : entries) {
+      const bool isTitle = place.menu[0] == '\0' && action->menu() != nullptr;
+      if (isTitle) window_.menuBar()->addAction(action);
+      QMenu* menu = menus.value(QLatin1String(place.menu));
+      if (menu == nullptr) continue;
+      if (groups.contains(menu) && groups[menu] != place.group) menu->addSeparator();
+      groups[menu] = place.group;
+      menu->addAction(action);
     }
   }
 

@@ -403,13 +403,14 @@ bool MotionCheck::proveBySweep(const Geometry& geometry, const Course& course, c
   if (turn > distances::kErrorShare * result.demanded) return false;
   ++result.distances;
   const double enough = std::max(2.0 * result.demanded, result.minClearance);
-  const double swept = geometry.sweptDistance(course.at(0.0), course.way(), enough, asked);
-  if (swept - turn < result.demanded) return false;
-  if (swept < result.minClearance) {
-    result.minClearance = swept;
+  const Nearest swept = geometry.nearestToSweep(course.at(0.0), course.way(), enough, asked);
+  if (swept.distance - turn < result.demanded) return false;
+  if (swept.distance < result.minClearance) {
+    result.minClearance = swept.distance;
+    result.nearest = swept;
     result.at = 0.5;
   }
-  result.provedClearance = std::min(result.provedClearance, swept - turn);
+  result.provedClearance = std::min(result.provedClearance, swept.distance - turn);
   result.status = Status::Certified;
   return true;
 }

@@ -158,21 +158,23 @@ struct MotionCheck::Group {
     return found;
   }
 
-  /// Lower bound on the distance on a straight motion without a turn. An obstacle that touches no prism's boundary is
-  /// inside of a prism or outside of all. Obstacles farther than `enough` are not measured exactly.
-  double sweptDistance(const fcl::Transform3d& X_WB, const Vector3& way, double enough) const {
+  /// The obstacle that is nearest on a straight motion without a turn, with a lower bound on the distance. An obstacle
+  /// that touches no prism's boundary is inside of a prism or outside of all. Obstacles farther than `enough` are not
+  /// measured exactly.
+  Nearest nearestToSweep(const fcl::Transform3d& X_WB, const Vector3& way, double enough) const {
     TriangleMesh placed = object;
     for (Vector3& vertex : placed.vertices) vertex = X_WB * vertex;
     Box3 box = boundingBox(placed);
     box.extend(Box3(box.min() + way, box.max() + way));
     const double error = std::max(errorAt(X_WB.translation()), errorAt(X_WB.translation() + way));
-    double least = std::numeric_limits<double>::infinity();
+    Nearest least;
+    least.distance = std::numeric_limits<double>::infinity();
     std::unique_ptr<distances::Model> swept;
-    for (const ObstaclePtr& obstacle : obstacles) {
+    for (std::size_t i = 0; i < obstacles.size() && least.distance > 0.0; ++i) {
       const double apart =
-          std::max(0.0, obstacle->box.exteriorDistance(box) * (1.0 - distances::kRelativeError) - error);
+          std::max(0.0, obstacles[i]->box.exteriorDistance(box) * (1.0 - distances::kRelativeError) - error);
       if (apart > enough) {
-        least = std::min(least, apart);
+        if (apart < least.distance) least = {apart, numbers[i]};
         continue;
       }
       if (!swept) {
@@ -181,8 +183,9 @@ struct MotionCheck::Group {
         distances::addTriangles(*swept, sweptBy(placed, way));
         swept->endModel();
       }
-      least = std::min(least, sweptDistance(*obstacle, *swept, placed, way, std::min(enough, least), error));
-      if (least == 0.0) return 0.0;
+      const double distance =
+          sweptDistance(*obstacles[i], *swept, placed, way, std::min(enough, least.distance), error);
+      if (distance < least.distance) least = {distance, numbers[i]};
     }
     return least;
   }
@@ -301,11 +304,14 @@ struct MotionCheck::Geometry {
     return nearest;
   }
 
-  double sweptDistance(const fcl::Transform3d& X_WB, const Vector3& way, double enough,
-                       const std::vector<bool>& asked) const {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-      if (asked[i]) least = std::min(least, groups[i]->sweptDistance(X_WB, way, enough));
+  Nearest nearestToSweep(const fcl::Transform3d& X_WB, const Vector3& way, double enough,
+                         const std::vector<bool>& asked) const {
+    Nearest least;
+    least.distance = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < groups.size() && least.distance > 0.0; ++i) {
+      if (!asked[i]) continue;
+      const Nearest found = groups[i]->nearestToSweep(X_WB, way, enough);
+      if (found.distance < least.distance) least = found;
     }
     return least;
   }

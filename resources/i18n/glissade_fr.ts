@@ -388,7 +388,7 @@
     </message>
     <message>
         <source>Show the cheapest way through the graph</source>
-        <translation>Montrer le chemin le moins coûteux dans le graphe</translation>
+        <translation>Montrer le trajet le moins coûteux dans le graphe</translation>
     </message>
     <message>
         <source>Show where the local planner of the chosen step searches</source>
@@ -608,7 +608,7 @@
     </message>
     <message>
         <source>Accept the &amp;clash</source>
-        <translation>Accepter la &amp;collision</translation>
+        <translation>A&amp;ccepter l&apos;interférence</translation>
     </message>
     <message>
         <source>Allow the overlap of the chosen pair; results state it</source>
@@ -631,8 +631,8 @@
         <translation>Masquer le message au-dessus de la scène et ses repères</translation>
     </message>
     <message>
-        <source>&amp;Keep the path</source>
-        <translation>&amp;Conserver le chemin</translation>
+        <source>Ke&amp;ep the path</source>
+        <translation>Conser&amp;ver le chemin</translation>
     </message>
     <message>
         <source>Keep the path that was found in the scenario</source>
@@ -1047,8 +1047,8 @@
         <translation>&amp;Ouvrir un scénario...</translation>
     </message>
     <message>
-        <source>&amp;Start the run</source>
-        <translation>&amp;Démarrer le calcul</translation>
+        <source>&amp;Find path</source>
+        <translation>&amp;Chercher un chemin</translation>
     </message>
     <message>
         <source>Pa&amp;use the run</source>
@@ -1252,7 +1252,7 @@
     </message>
     <message>
         <source>&amp;Automatic tuning of α, N and d</source>
-        <translation>Réglage a&amp;utomatique de α, N et d</translation>
+        <translation>Réglage auto&amp;matique de α, N et d</translation>
     </message>
     <message>
         <source>&amp;Cancel the work in progress</source>
@@ -1464,7 +1464,7 @@
     </message>
     <message>
         <source>&amp;Remove the demands on the step</source>
-        <translation>&amp;Retirer les exigences sur l&apos;étape</translation>
+        <translation>Supprime&amp;r les exigences sur l&apos;étape</translation>
     </message>
     <message>
         <source>Open the context &amp;menu</source>
@@ -1481,10 +1481,6 @@
     <message>
         <source>Save</source>
         <translation>Enregistrer</translation>
-    </message>
-    <message>
-        <source>Start</source>
-        <translation>Démarrer</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -2215,8 +2211,12 @@
         <translation>Revoir un essai d&apos;une étude, à partir de son fichier runs/cellN-seedM.json</translation>
     </message>
     <message>
-        <source>Done</source>
-        <translation>Terminé</translation>
+        <source>Plan sequence</source>
+        <translation>Planifier la séquence</translation>
+    </message>
+    <message>
+        <source>Instruction</source>
+        <translation>Instruction</translation>
     </message>
     <message>
         <source>Finish &amp;for me</source>
@@ -2229,6 +2229,10 @@
     <message>
         <source>&amp;Use this path as the step</source>
         <translation>&amp;Utiliser ce chemin pour l&apos;étape</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Terminé</translation>
     </message>
 </context>
 <context>
@@ -2574,14 +2578,6 @@
         <translation>&amp;Assemblage</translation>
     </message>
     <message>
-        <source>&amp;Run</source>
-        <translation>&amp;Calcul</translation>
-    </message>
-    <message>
-        <source>&amp;Study</source>
-        <translation>Ét&amp;ude</translation>
-    </message>
-    <message>
         <source>&amp;Operator</source>
         <translation>&amp;Opérateur</translation>
     </message>
@@ -2646,10 +2642,6 @@
         <translation>É&amp;tape de la séquence</translation>
     </message>
     <message>
-        <source>Se&amp;mantics</source>
-        <translation>&amp;Sémantique</translation>
-    </message>
-    <message>
         <source>Pat&amp;h</source>
         <translation>C&amp;hemin</translation>
     </message>
@@ -2675,15 +2667,31 @@
     </message>
     <message>
         <source>Ster&amp;eo</source>
-        <translation>V&amp;ue stéréo</translation>
+        <translation>Vue stéré&amp;o</translation>
     </message>
     <message>
         <source>He&amp;adset</source>
-        <translation>Visi&amp;ocasque</translation>
+        <translation>Casq&amp;ue</translation>
     </message>
     <message>
         <source>Access of a &amp;hand</source>
         <translation>Accès d&apos;une ma&amp;in</translation>
+    </message>
+    <message>
+        <source>P&amp;laces</source>
+        <translation>L&amp;ieux</translation>
+    </message>
+    <message>
+        <source>P&amp;lan</source>
+        <translation>Pla&amp;nification</translation>
+    </message>
+    <message>
+        <source>&amp;Difficulties</source>
+        <translation>&amp;Difficultés</translation>
+    </message>
+    <message>
+        <source>Stud&amp;ies</source>
+        <translation>Ét&amp;udes</translation>
     </message>
 </context>
 <context>
@@ -3046,11 +3054,11 @@
     </message>
     <message>
         <source>Take clashes up to this overlap as fits, as 1.5mm</source>
-        <translation>Prendre les collisions jusqu&apos;à ce recouvrement pour des ajustements, comme 1.5mm</translation>
+        <translation>Prendre les interférences jusqu&apos;à ce recouvrement pour des ajustements, comme 1.5mm</translation>
     </message>
     <message>
         <source>In accepted clashes, the body that is cut where it is not clear which of the two has the hole</source>
-        <translation>Dans les collisions acceptées, le corps qui est découpé lorsqu&apos;on ne sait pas lequel des deux a le trou</translation>
+        <translation>Dans les interférences acceptées, le corps qui est découpé lorsqu&apos;on ne sait pas lequel des deux a le trou</translation>
     </message>
     <message>
         <source>Whether bodies that fit where they are assembled are taken thinner against each other: on or off (default: %1)</source>
@@ -3138,7 +3146,7 @@
     </message>
     <message>
         <source>What the plan states itself counts as a person&apos;s word: bends, flexible bodies, units, accepted clashes, demands that are given up</source>
-        <translation>Ce que le plan énonce lui-même vaut comme la parole d&apos;une personne&#xa0;: flexions, corps souples, unités, collisions acceptées, exigences abandonnées</translation>
+        <translation>Ce que le plan énonce lui-même vaut comme la parole d&apos;une personne&#xa0;: flexions, corps souples, unités, interférences acceptées, exigences abandonnées</translation>
     </message>
     <message>
         <source>Time limit in seconds; 0: none</source>
@@ -3198,7 +3206,7 @@
     </message>
     <message>
         <source>List the contacts, fits and clashes of a product as it is assembled</source>
-        <translation>Lister les contacts, les ajustements et les collisions d&apos;un produit assemblé</translation>
+        <translation>Lister les contacts, les ajustements et les interférences d&apos;un produit assemblé</translation>
     </message>
     <message>
         <source>Scenario, STEP, IGES or BREP file, or an assembly in one (product.step:pump)</source>
@@ -3210,11 +3218,11 @@
     </message>
     <message>
         <source>An overlap above this is a clash (default: 1mm)</source>
-        <translation>Un recouvrement plus grand est une collision (par défaut&#xa0;: 1mm)</translation>
+        <translation>Un recouvrement plus grand est une interférence (par défaut&#xa0;: 1mm)</translation>
     </message>
     <message>
         <source>An overlap above this share of the local thickness is a clash, too</source>
-        <translation>Un recouvrement supérieur à cette part de l&apos;épaisseur locale est aussi une collision</translation>
+        <translation>Un recouvrement supérieur à cette part de l&apos;épaisseur locale est aussi une interférence</translation>
     </message>
     <message>
         <source>Comma-separated values, a line a pair</source>
@@ -3600,7 +3608,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>the replay was not finished</source>
-        <translation>le rejeu n&apos;a pas été terminé</translation>
+        <translation>la relecture n&apos;a pas été terminée</translation>
     </message>
     <message>
         <source>Start it again.</source>
@@ -3940,7 +3948,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>stuck: %1</source>
-        <translation>bloquée&#xa0;: %1</translation>
+        <translation>coincée&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1, blocked by %2</source>
@@ -5232,7 +5240,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>clashes up to %1 are accepted (--accept-clashes %2)</source>
-        <translation>les collisions jusqu&apos;à %1 sont acceptées (--accept-clashes %2)</translation>
+        <translation>les interférences jusqu&apos;à %1 sont acceptées (--accept-clashes %2)</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is the one that is cut (--cut &quot;%2&quot;)</source>
@@ -5252,7 +5260,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>the joint of &apos;%1&apos; and &apos;%2&apos; is dissolved or pressed out</source>
-        <translation>la liaison de « %1 » et « %2 » est dissoute ou chassée</translation>
+        <translation>la liaison de « %1 » et « %2 » est supprimée ou chassée</translation>
     </message>
     <message>
         <source>%1 are one unit</source>
@@ -5264,11 +5272,11 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>&apos;%1&apos; may leave before &apos;%2&apos;, although the reverse is demanded</source>
-        <translation>« %1 » peut partir avant « %2 », bien que l&apos;inverse soit exigé</translation>
+        <translation>« %1 » peut sortir avant « %2 », bien que l&apos;inverse soit exigé</translation>
     </message>
     <message>
         <source>&apos;%1&apos; may leave as number %2, although it is demanded as number %3</source>
-        <translation>« %1 » peut partir en position %2, bien que la position %3 soit exigée</translation>
+        <translation>« %1 » peut sortir en position %2, bien que la position %3 soit exigée</translation>
     </message>
     <message>
         <source>the thread of &apos;%1&apos; in &apos;%2&apos; has a pitch of %3, which no standard thread of %4 has</source>
@@ -5288,7 +5296,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>they overlap by %1, which is a clash that nobody accepted</source>
-        <translation>ils se recouvrent de %1, ce qui est une collision que personne n&apos;a acceptée</translation>
+        <translation>ils se recouvrent de %1, ce qui est une interférence que personne n&apos;a acceptée</translation>
     </message>
     <message>
         <source>a person uses no joints</source>
@@ -5296,7 +5304,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>a person has dissolved their joint, or has it pressed out</source>
-        <translation>une personne a dissous leur liaison, ou la fait chasser</translation>
+        <translation>une personne a supprimé leur liaison, ou la fait chasser</translation>
     </message>
     <message>
         <source>a person calls the pair &apos;%1&apos;</source>
@@ -5304,7 +5312,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>a person accepts their clash</source>
-        <translation>une personne accepte leur collision</translation>
+        <translation>une personne accepte leur interférence</translation>
     </message>
     <message>
         <source>the edge turns by half a circle, and rounding decides which way; insert a configuration between its ends</source>
@@ -5380,7 +5388,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>%1 {1|pair overlaps|pairs overlap} without being a fit, a thread or a press</source>
-        <translation>%1 {1|paire se recouvre|paires se recouvrent} sans être ni un ajustement, ni un filetage, ni un emmanchement</translation>
+        <translation>%1 {1|paire se recouvre|paires se recouvrent} sans être ni un ajustement, ni un filetage, ni un serrage</translation>
     </message>
     <message>
         <source>&apos;%1&apos; and &apos;%2&apos; by %3</source>
@@ -5840,7 +5848,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>a person calls the pair a thread, but no shaft of the one is on the axis of a hole of the other</source>
-        <translation>une personne dit que la paire est un filetage, mais aucun fût de l&apos;un n&apos;est sur l&apos;axe d&apos;un trou de l&apos;autre</translation>
+        <translation>une personne dit que la paire est un filetage, mais aucun arbre de l&apos;un n&apos;est sur l&apos;axe d&apos;un trou de l&apos;autre</translation>
     </message>
     <message>
         <source>Give the pair another kind.</source>
@@ -5856,7 +5864,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>the shaft has no groove that is as narrow as the hole</source>
-        <translation>le fût n&apos;a pas de gorge aussi étroite que le trou</translation>
+        <translation>l&apos;arbre n&apos;a pas de gorge aussi étroite que le trou</translation>
     </message>
     <message>
         <source>the crests are not around the axis that the file states</source>
@@ -5864,11 +5872,11 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>the shaft has no helix of the pitch that the file states</source>
-        <translation>le fût n&apos;a pas d&apos;hélice au pas que le fichier indique</translation>
+        <translation>l&apos;arbre n&apos;a pas d&apos;hélice au pas que le fichier indique</translation>
     </message>
     <message>
         <source>what of the shaft is wider than the hole is no thread of this pitch</source>
-        <translation>ce qui, du fût, est plus large que le trou n&apos;est pas un filetage de ce pas</translation>
+        <translation>ce qui, de l&apos;arbre, est plus large que le trou n&apos;est pas un filetage de ce pas</translation>
     </message>
     <message>
         <source>certified: %1 (required %2 mm)</source>
@@ -6048,11 +6056,11 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>overlap %1, deflection %2, spacing %3, gap %4, as a person says of the pair %5</source>
-        <translation>recouvrement %1, flèche %2, espacement %3, jeu %4, et %5 d&apos;après une personne pour cette paire</translation>
+        <translation>recouvrement %1, flèche %2, espacement %3, écart %4, et %5 d&apos;après une personne pour cette paire</translation>
     </message>
     <message>
         <source>overlap %1, deflection %2, spacing %3, gap %4</source>
-        <translation>recouvrement %1, flèche %2, espacement %3, jeu %4</translation>
+        <translation>recouvrement %1, flèche %2, espacement %3, écart %4</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is taken without what its screw &apos;%2&apos; fills: the file has no hole there</source>
@@ -6060,7 +6068,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>&apos;%1&apos; is taken without what overlaps &apos;%2&apos;, up to %3 deep: a clash that a person accepts</source>
-        <translation>«&#xa0;%1&#xa0;» est pris sans ce qui pénètre dans «&#xa0;%2&#xa0;», jusqu&apos;à %3 de profondeur&#xa0;: c&apos;est une collision qu&apos;une personne accepte</translation>
+        <translation>«&#xa0;%1&#xa0;» est pris sans ce qui recouvre «&#xa0;%2&#xa0;», jusqu&apos;à %3 de profondeur&#xa0;: c&apos;est une interférence qu&apos;une personne accepte</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is taken %2 thinner against &apos;%3&apos; (%4)</source>
@@ -6080,7 +6088,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>the file takes &apos;%1&apos; without what overlaps &apos;%2&apos;, up to %3 deep</source>
-        <translation>le fichier prend «&#xa0;%1&#xa0;» sans ce qui pénètre dans «&#xa0;%2&#xa0;», jusqu&apos;à %3 de profondeur</translation>
+        <translation>le fichier prend «&#xa0;%1&#xa0;» sans ce qui recouvre «&#xa0;%2&#xa0;», jusqu&apos;à %3 de profondeur</translation>
     </message>
     <message>
         <source>the file takes &apos;%1&apos; %2 thinner against &apos;%3&apos;</source>
@@ -6088,7 +6096,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>%1: %2. Mend the parts, or accept the clash.</source>
-        <translation>%1&#xa0;: %2. Corrigez les pièces, ou acceptez la collision.</translation>
+        <translation>%1&#xa0;: %2. Corrigez les pièces, ou acceptez l&apos;interférence.</translation>
     </message>
     <message>
         <source>%1, and the judge finds reason for nothing</source>
@@ -8288,7 +8296,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>Shortest way through places (GT)</source>
-        <translation>Plus court passage par les lieux (GT)</translation>
+        <translation>Plus court trajet par les lieux (GT)</translation>
     </message>
     <message>
         <source>The shortest way through the places, RRT in each of them (Cailhol et al. 2019, section 6.1).</source>
@@ -8496,7 +8504,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>%1 taken without what overlaps %2, up to %3 deep (accepted clash)</source>
-        <translation>%1 sans ce qui pénètre dans %2, jusqu&apos;à %3 de profondeur (collision acceptée)</translation>
+        <translation>%1 sans ce qui recouvre %2, jusqu&apos;à %3 de profondeur (interférence acceptée)</translation>
     </message>
     <message>
         <source>%1, as a person allows</source>
@@ -8516,11 +8524,11 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>fit so that one of them would have to be taken %1 thinner, which the local thickness or the shape of neither gives: it counts as a clash</source>
-        <translation>s&apos;ajustent de telle sorte que l&apos;un des deux devrait être aminci de %1, ce que ni leur épaisseur locale ni leur forme ne permettent&#xa0;: c&apos;est une collision</translation>
+        <translation>s&apos;ajustent de telle sorte que l&apos;un des deux devrait être aminci de %1, ce que ni leur épaisseur locale ni leur forme ne permettent&#xa0;: c&apos;est une interférence</translation>
     </message>
     <message>
         <source>fit so that one of them would have to be taken %1 thinner, which the local thickness or the shape of neither gives, and the surface of one is open %2 from the contact, so that what is inside it there is not known: it counts as a clash</source>
-        <translation>s&apos;ajustent de telle sorte que l&apos;un des deux devrait être aminci de %1, ce que ni leur épaisseur locale ni leur forme ne permettent, et la surface de l&apos;un est ouverte à %2 du contact, de sorte que son intérieur n&apos;y est pas connu&#xa0;: c&apos;est une collision</translation>
+        <translation>s&apos;ajustent de telle sorte que l&apos;un des deux devrait être aminci de %1, ce que ni leur épaisseur locale ni leur forme ne permettent, et la surface de l&apos;un est ouverte à %2 du contact, de sorte que son intérieur n&apos;y est pas connu&#xa0;: c&apos;est une interférence</translation>
     </message>
     <message>
         <source>touch where neither can be taken thinner: the surfaces are open %1 and %2 from the contact, so that what is inside them there is not known</source>
@@ -8532,7 +8540,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>overlap by %1 without being a fit, a thread or a press</source>
-        <translation>se recouvrent de %1 sans être ni un ajustement, ni un filetage, ni un emmanchement</translation>
+        <translation>se recouvrent de %1 sans être ni un ajustement, ni un filetage, ni un serrage</translation>
     </message>
     <message>
         <source>Mend the parts, or say what kind of fit they are.</source>
@@ -8616,7 +8624,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>its thread is not stated</source>
-        <translation>son filet n&apos;est pas indiqué</translation>
+        <translation>son filetage n&apos;est pas indiqué</translation>
     </message>
     <message>
         <source>Give &apos;thread&apos; with diameter, pitch and engaged length.</source>
@@ -8728,11 +8736,11 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>the sizes do not agree: a shaft of %1 in a nut %2</source>
-        <translation>les tailles ne concordent pas&#xa0;: un fût de %1 dans un écrou %2</translation>
+        <translation>les tailles ne concordent pas&#xa0;: un arbre de %1 dans un écrou %2</translation>
     </message>
     <message>
         <source>the shaft is thicker than the hole</source>
-        <translation>le fût est plus gros que le trou</translation>
+        <translation>l&apos;arbre est plus gros que le trou</translation>
     </message>
     <message>
         <source>the name says that it is a nut</source>
@@ -8760,7 +8768,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>calls &apos;%1&apos; and &apos;%2&apos; a thread, but no shaft of the one is on the axis of a hole of the other</source>
-        <translation>donne «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» pour un filetage, mais aucun arbre de l&apos;un n&apos;est sur l&apos;axe d&apos;un alésage de l&apos;autre</translation>
+        <translation>donne «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» pour un filetage, mais aucun arbre de l&apos;un n&apos;est sur l&apos;axe d&apos;un trou de l&apos;autre</translation>
     </message>
     <message>
         <source>Give another kind.</source>
@@ -8780,15 +8788,15 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>overlap by %1, because the insert is pressed or melted in</source>
-        <translation>se recouvrent de %1, car l&apos;insert est pressé ou fondu dans la pièce</translation>
+        <translation>se recouvrent de %1, car l&apos;insert est emmanché ou fondu dans la pièce</translation>
     </message>
     <message>
         <source>It leaves with its host. To press it out, accept the clash (--accept-clashes %1) and say so of the joint.</source>
-        <translation>Il sort avec sa pièce. Pour l&apos;en extraire, acceptez la collision (--accept-clashes %1) et dites-le de la liaison.</translation>
+        <translation>Il sort avec sa pièce. Pour le chasser, acceptez l&apos;interférence (--accept-clashes %1) et dites-le de la liaison.</translation>
     </message>
     <message>
         <source>overlap by %1, which is a clash</source>
-        <translation>se recouvrent de %1, ce qui est une collision</translation>
+        <translation>se recouvrent de %1, ce qui est une interférence</translation>
     </message>
     <message>
         <source>Accept it (--accept-clashes %1), or mend the parts.</source>
@@ -8852,15 +8860,15 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>its hooks bend by %1 when it leaves along a line</source>
-        <translation>ses crochets fléchissent de %1 quand il part en ligne droite</translation>
+        <translation>ses crochets fléchissent de %1 quand il sort en ligne droite</translation>
     </message>
     <message>
         <source>a nut is on the shaft</source>
-        <translation>un écrou est sur le fût</translation>
+        <translation>un écrou est sur l&apos;arbre</translation>
     </message>
     <message>
         <source>the hole is as wide as the shaft, and the farthest from the head</source>
-        <translation>le trou est aussi large que le fût, et le plus éloigné de la tête</translation>
+        <translation>le trou est aussi large que l&apos;arbre, et le plus éloigné de la tête</translation>
     </message>
     <message>
         <source>the hole is the narrowest, and the farthest from the head</source>
@@ -8868,11 +8876,11 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>a shaft of %1 with a head</source>
-        <translation>un fût de %1 avec une tête</translation>
+        <translation>un arbre de %1 avec une tête</translation>
     </message>
     <message>
         <source>a shaft of %1 with a recess</source>
-        <translation>un fût de %1 avec une empreinte</translation>
+        <translation>un arbre de %1 avec une empreinte</translation>
     </message>
     <message>
         <source>the file has no hole there, so the screw makes it</source>
@@ -8888,7 +8896,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>a shaft of %1 is %2 thicker than the hole around it, as a thread is</source>
-        <translation>un axe de %1, plus gros de %2 que le trou qui l&apos;entoure, comme un filetage</translation>
+        <translation>un arbre de %1, plus gros de %2 que le trou qui l&apos;entoure, comme un filetage</translation>
     </message>
     <message>
         <source>neither body is a screw or a nut by its shape</source>
@@ -9712,7 +9720,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>Let another body stay, or remove the demand.</source>
-        <translation>Laissez un autre corps en place, ou retirez l&apos;exigence.</translation>
+        <translation>Laissez un autre corps en place, ou supprimez l&apos;exigence.</translation>
     </message>
     <message>
         <source>Greedy</source>
@@ -9780,7 +9788,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>it is between parts that are pressed together: press one of them out</source>
-        <translation>elle est entre des pièces emmanchées l&apos;une dans l&apos;autre : en extraire une</translation>
+        <translation>elle est entre des pièces emmanchées l&apos;une dans l&apos;autre : en chasser une</translation>
     </message>
     <message>
         <source>no motion was found, alone or with others</source>
@@ -9788,7 +9796,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>held by %1: remove these first; &apos;%2&apos; is captive: &apos;%3&apos; is in its way</source>
-        <translation>tenue par %1&#xa0;: retirez-les d&apos;abord&#xa0;; «&#xa0;%2&#xa0;» est imperdable&#xa0;: «&#xa0;%3&#xa0;» est sur son chemin</translation>
+        <translation>tenue par %1&#xa0;: retirez-les d&apos;abord&#xa0;; «&#xa0;%2&#xa0;» est imperdable&#xa0;: «&#xa0;%3&#xa0;» fait obstacle</translation>
     </message>
     <message>
         <source>held by %1: remove these first</source>
@@ -9796,15 +9804,15 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>it is held by %1 in &apos;%2&apos;, and no free turn out of it was found: free the way, or dissolve the joint</source>
-        <translation>elle est tenue par %1 dans «&#xa0;%2&#xa0;», et aucune rotation libre ne l&apos;en sort&#xa0;: dégagez le passage, ou dissolvez la liaison</translation>
+        <translation>elle est tenue par %1 dans «&#xa0;%2&#xa0;», et aucune rotation libre ne l&apos;en sort&#xa0;: dégagez le passage, ou supprimez la liaison</translation>
     </message>
     <message>
         <source>it and &apos;%1&apos; clash where they are assembled: mend the parts, or accept the clash</source>
-        <translation>elle et «&#xa0;%1&#xa0;» sont en collision à l’état assemblé&#xa0;: corrigez les pièces, ou acceptez la collision</translation>
+        <translation>elle et «&#xa0;%1&#xa0;» interfèrent à l’état assemblé&#xa0;: corrigez les pièces, ou acceptez l&apos;interférence</translation>
     </message>
     <message>
         <source>it and &apos;%1&apos; clash where they are assembled (%2): mend the parts, or accept the clash</source>
-        <translation>elle et «&#xa0;%1&#xa0;» sont en collision à l’état assemblé (%2)&#xa0;: corrigez les pièces, ou acceptez la collision</translation>
+        <translation>elle et «&#xa0;%1&#xa0;» interfèrent à l’état assemblé (%2)&#xa0;: corrigez les pièces, ou acceptez l&apos;interférence</translation>
     </message>
     <message>
         <source>&apos;%1&apos; needs the tool &apos;%2&apos;, which is unknown</source>
@@ -9856,7 +9864,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>press a part into its seat</source>
-        <translation>presser une pièce dans son logement</translation>
+        <translation>emmancher une pièce dans son logement</translation>
     </message>
     <message>
         <source>lay a flexible part on</source>
@@ -10156,7 +10164,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>is no language of the instructions</source>
-        <translation>n&apos;est pas une langue des gammes</translation>
+        <translation>n&apos;est pas une langue des gammes de montage</translation>
     </message>
     <message>
         <source>Take en or fr.</source>
@@ -10164,7 +10172,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>is no paper of the instructions</source>
-        <translation>n&apos;est pas un papier des gammes</translation>
+        <translation>n&apos;est pas un papier des gammes de montage</translation>
     </message>
     <message>
         <source>Take A4 or Letter.</source>
@@ -10284,7 +10292,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>Hold %1, turn %2.</source>
-        <translation>Maintenir %1, tourner %2.</translation>
+        <translation>Tenir %1, tourner %2.</translation>
     </message>
     <message>
         <source>Needs support: %1</source>
@@ -10472,7 +10480,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>stuck</source>
-        <translation>bloquée</translation>
+        <translation>coincée</translation>
     </message>
     <message>
         <source>Report of the sequence: %1</source>
@@ -10520,7 +10528,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>%1 {1|part leaves in a group that is|parts leave in groups that are} not taken apart.</source>
-        <translation>%1 {1|pièce part dans un groupe qui n&apos;est pas démonté|pièces partent dans des groupes qui ne sont pas démontés}.</translation>
+        <translation>%1 {1|pièce sort dans un groupe qui n&apos;est pas démonté|pièces sortent dans des groupes qui ne sont pas démontés}.</translation>
     </message>
     <message>
         <source>The certificates are about triangles, which are within ± %1 of the CAD surfaces.</source>
@@ -10672,7 +10680,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>%1 at %2, %3 is held</source>
-        <translation>%1 sur %2, en maintenant %3</translation>
+        <translation>%1 sur %2, en tenant %3</translation>
     </message>
     <message>
         <source>hold %1</source>
@@ -10808,11 +10816,11 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>%1 without what overlaps it, up to %2 deep (accepted clash)</source>
-        <translation>%1 sans ce qui y pénètre, jusqu&apos;à %2 de profondeur (collision acceptée)</translation>
+        <translation>%1 sans ce qui le recouvre, jusqu&apos;à %2 de profondeur (interférence acceptée)</translation>
     </message>
     <message>
         <source>without what overlaps %2, up to %1 deep (accepted clash)</source>
-        <translation>sans ce qui pénètre dans %2, jusqu&apos;à %1 de profondeur (collision acceptée)</translation>
+        <translation>sans ce qui recouvre %2, jusqu&apos;à %1 de profondeur (interférence acceptée)</translation>
     </message>
     <message>
         <source>, as a person allows</source>
@@ -11096,7 +11104,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>nothing leaves: every body stays, or a joint holds it to one that stays. See &apos;glissade-cli joints&apos;, and dissolve a joint in a scenario.</source>
-        <translation>rien ne part&#xa0;: chaque corps reste, ou un assemblage le lie à un corps qui reste. Voyez «&#xa0;glissade-cli joints&#xa0;», et dissolvez un assemblage dans un scénario.</translation>
+        <translation>rien ne sort&#xa0;: chaque corps reste, ou une liaison le lie à un corps qui reste. Voyez «&#xa0;glissade-cli joints&#xa0;», et supprimez une liaison dans un scénario.</translation>
     </message>
     <message>
         <source>Name the one that is cut (--cut &quot;%1&quot; or --cut &quot;%2&quot;), or mend the parts.</source>
@@ -11108,15 +11116,15 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>the clash of it and &apos;%1&apos; (%2) is accepted, and which of the two is cut is not clear: name the one that is cut (--cut &quot;%3&quot; or --cut &quot;%1&quot;)</source>
-        <translation>sa collision avec «&#xa0;%1&#xa0;» (%2) est acceptée, et il n&apos;est pas clair laquelle des deux pièces est découpée&#xa0;: nommez celle qui est découpée (--cut &quot;%3&quot; ou --cut &quot;%1&quot;)</translation>
+        <translation>son interférence avec «&#xa0;%1&#xa0;» (%2) est acceptée, et il n&apos;est pas clair laquelle des deux pièces est découpée&#xa0;: nommez celle qui est découpée (--cut &quot;%3&quot; ou --cut &quot;%1&quot;)</translation>
     </message>
     <message>
         <source>the clash of it and &apos;%1&apos; (%2) is accepted, and neither can be cut and stay in one piece: mend the parts</source>
-        <translation>sa collision avec «&#xa0;%1&#xa0;» (%2) est acceptée, et aucune des deux ne peut être découpée et rester d&apos;un seul tenant&#xa0;: corrigez les pièces</translation>
+        <translation>son interférence avec «&#xa0;%1&#xa0;» (%2) est acceptée, et aucune des deux ne peut être découpée et rester d&apos;un seul tenant&#xa0;: corrigez les pièces</translation>
     </message>
     <message>
         <source>no motion was found: &apos;%1&apos; is cut, because its clash with &apos;%2&apos; (%3) is accepted; if &apos;%2&apos; is the one to cut, name it (--cut &quot;%2&quot;)</source>
-        <translation>aucun mouvement n&apos;a été trouvé&#xa0;: «&#xa0;%1&#xa0;» est découpée, car sa collision avec «&#xa0;%2&#xa0;» (%3) est acceptée&#xa0;; si c&apos;est «&#xa0;%2&#xa0;» qu&apos;il faut découper, nommez-la (--cut &quot;%2&quot;)</translation>
+        <translation>aucun mouvement n&apos;a été trouvé&#xa0;: «&#xa0;%1&#xa0;» est découpée, car son interférence avec «&#xa0;%2&#xa0;» (%3) est acceptée&#xa0;; si c&apos;est «&#xa0;%2&#xa0;» qu&apos;il faut découper, nommez-la (--cut &quot;%2&quot;)</translation>
     </message>
     <message>
         <source>Write report.html, too (needs Python and matplotlib)</source>
@@ -11167,16 +11175,16 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Installez Glissade en entier.</translation>
     </message>
     <message>
+        <source>The computer&apos;s share of the iterations: 1 is the automatic planner alone, 0 the operator alone. While the hand rests the computer goes on, except at 0 in the strategy With my hand.</source>
+        <translation>La part de l&apos;ordinateur dans les itérations&#xa0;: 1 est le planificateur seul, 0 l&apos;opérateur seul. Tant que la main est immobile, l&apos;ordinateur continue, sauf à 0 avec la stratégie Avec ma main.</translation>
+    </message>
+    <message>
         <source>With my hand</source>
         <translation>Avec ma main</translation>
     </message>
     <message>
         <source>You steer the object. The way of your hand is kept and proved, and the computer searches from it; at α = 1 the automatic planners finish the path.</source>
         <translation>Vous guidez l&apos;objet. Le trajet de votre main est conservé et prouvé, et l&apos;ordinateur cherche à partir de lui&#xa0;; à α = 1, les planificateurs automatiques finissent le chemin.</translation>
-    </message>
-    <message>
-        <source>The computer&apos;s share of the iterations: 1 is the automatic planner alone, 0 the operator alone. While the hand rests the computer goes on, except at 0 in the strategy With my hand.</source>
-        <translation>La part de l&apos;ordinateur dans les itérations&#xa0;: 1 est le planificateur seul, 0 l&apos;opérateur seul. Tant que la main est immobile, l&apos;ordinateur continue, sauf à 0 avec la stratégie Avec ma main.</translation>
     </message>
 </context>
 <context>
@@ -11313,7 +11321,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>A roller on a shaft between two walls</source>
-        <translation>Un rouleau sur un axe entre deux parois</translation>
+        <translation>Un rouleau sur un arbre entre deux parois</translation>
     </message>
     <message>
         <source>Pump, unmounting</source>
@@ -11321,7 +11329,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>The pump leaves its seat in the power-electronics frame</source>
-        <translation>La pompe quitte son logement dans le châssis d&apos;électronique de puissance</translation>
+        <translation>La pompe sort de son logement dans le châssis d&apos;électronique de puissance</translation>
     </message>
     <message>
         <source>Nut and bolt</source>
@@ -11329,7 +11337,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>A nut on its bolt, with modelled threads</source>
-        <translation>Un écrou sur sa vis, aux filets modélisés</translation>
+        <translation>Un écrou sur sa vis, aux filetages modélisés</translation>
     </message>
     <message>
         <source>Shape game: star, tight</source>
@@ -11418,8 +11426,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
 <context>
     <name>Status</name>
     <message>
-        <source>Ready. Press Start (F5), or take the object with the keys over the view.</source>
-        <translation>Prêt. Appuyez sur Démarrer (F5), ou déplacez l&apos;objet au clavier dans la vue.</translation>
+        <source>Ready. Press Find path (F5), or steer with the keys.</source>
+        <translation>Prêt. Appuyez sur Chercher un chemin (F5), ou pilotez au clavier.</translation>
     </message>
     <message>
         <source>Planning: sampling on the nearest obstacle&apos;s tangent plane</source>
@@ -11446,8 +11454,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Planification&#xa0;: recherche des jalons dans les frontières</translation>
     </message>
     <message>
-        <source>The path does not hold here: see Path. Start (F5) looks for another.</source>
-        <translation>Le chemin n&apos;est pas valide ici&#xa0;: voir le panneau Chemin. Démarrer (F5) en cherche un autre.</translation>
+        <source>The path does not hold here: see Path. Find path (F5) looks for another.</source>
+        <translation>Le chemin n&apos;est pas valide ici&#xa0;: voir le panneau Chemin. Chercher un chemin (F5) en cherche un autre.</translation>
     </message>
     <message>
         <source>The path holds: certified free of penetration</source>
@@ -11530,15 +11538,15 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>Choose Assembly &gt; Find fits (Ctrl+I). The parts touch, as most CAD parts do. The panel Fits lists the pairs, with gap and allowance: by so much the part that moves is taken thinner against the other one. A click on a row marks the two parts.</source>
-        <translation>Choisissez Assemblage &gt; Chercher les ajustements (Ctrl+I). Les pièces se touchent, comme la plupart des pièces CAO. Le panneau Ajustements énumère les paires, avec écart et tolérance : d&apos;autant la pièce qui bouge est prise plus mince contre l&apos;autre. Un clic sur une ligne marque les deux pièces.</translation>
+        <translation>Choisissez Assemblage &gt; Chercher les ajustements (Ctrl+I). Les pièces se touchent, comme la plupart des pièces CAO. Le panneau Ajustements énumère les paires, avec écart et amincissement&#xa0;: la pièce qui bouge est amincie d&apos;autant face à l&apos;autre. Un clic sur une ligne marque les deux pièces.</translation>
     </message>
     <message>
         <source>Take a part out</source>
         <translation>Sortir une pièce</translation>
     </message>
     <message>
-        <source>Press Start (F5): the planner searches how the nut leaves the rod. The panel Path shows the clearance along the motion, the allowances, and plays it (Ctrl+P).</source>
-        <translation>Appuyez sur Démarrer (F5) : le planificateur cherche comment l&apos;écrou quitte la tige. Le panneau Chemin montre le jeu le long du mouvement, les tolérances, et le joue (Ctrl+P).</translation>
+        <source>Press Find path (F5): the planner searches how the nut leaves the rod. The panel Path shows the clearance along the motion, the allowances, and plays it (Ctrl+P).</source>
+        <translation>Appuyez sur Chercher un chemin (F5) : le planificateur cherche comment l&apos;écrou quitte la tige. Le panneau Chemin montre le jeu le long du mouvement, les tolérances, et le joue (Ctrl+P).</translation>
     </message>
     <message>
         <source>Cut it open</source>
@@ -11550,19 +11558,19 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>Choose Assembly &gt; Plan the sequence (Ctrl+J): in which order do the parts leave? Each step has a motion that is proved. The rod leaves before the bolts, which have no room below it. A click on a row shows the step.</source>
-        <translation>Choisissez Assemblage &gt; Planifier la séquence (Ctrl+J) : dans quel ordre les pièces partent-elles ? Chaque étape a un mouvement prouvé. La tige part avant les vis, qui n&apos;ont pas de place sous elle. Un clic sur une ligne montre l&apos;étape.</translation>
+        <translation>Choisissez Assemblage &gt; Planifier la séquence (Ctrl+J) : dans quel ordre les pièces sortent-elles ? Chaque étape a un mouvement prouvé. La tige sort avant les vis, qui n&apos;ont pas de place sous elle. Un clic sur une ligne montre l&apos;étape.</translation>
     </message>
     <message>
         <source>Write the instruction</source>
-        <translation>Écrire la fiche d&apos;instructions</translation>
+        <translation>Écrire la gamme de montage</translation>
     </message>
     <message>
-        <source>In the list of strategies (panel Interaction), choose Advanced, then Shortest way through places (GT), and press Start (F5). The way leads through the slot P6, which is too narrow, and the run ends there: the panel Plan says where and why.</source>
-        <translation>Dans la liste des stratégies (panneau Interaction), choisissez Avancées, puis Plus court passage par les lieux (GT), et appuyez sur Démarrer (F5). Le passage traverse la fente P6, qui est trop étroite, et le calcul s&apos;y termine&#xa0;: le panneau Plan dit où et pourquoi.</translation>
+        <source>In the list of strategies (panel Interaction), choose Advanced, then Shortest way through places (GT), and press Find path (F5). The way leads through the slot P6, which is too narrow, and the run ends there: the panel Plan says where and why.</source>
+        <translation>Dans la liste des stratégies (panneau Interaction), choisissez Avancées, puis Plus court passage par les lieux (GT), et appuyez sur Chercher un chemin (F5). Le passage traverse la fente P6, qui est trop étroite, et le calcul s&apos;y termine&#xa0;: le panneau Plan dit où et pourquoi.</translation>
     </message>
     <message>
-        <source>Choose the strategy Layers and press Start (F5). It knows that the object does not fit through the slot and goes through P5. The path that it finds is proved free of penetration.</source>
-        <translation>Choisissez la stratégie Couches et appuyez sur Démarrer (F5). Elle sait que l&apos;objet ne passe pas par la fente, et passe par P5. Le chemin trouvé est prouvé sans pénétration.</translation>
+        <source>Choose the strategy Layers and press Find path (F5). It knows that the object does not fit through the slot and goes through P5. The path that it finds is proved free of penetration.</source>
+        <translation>Choisissez la stratégie Couches et appuyez sur Chercher un chemin (F5). Elle sait que l&apos;objet ne passe pas par la fente, et passe par P5. Le chemin trouvé est prouvé sans pénétration.</translation>
     </message>
     <message>
         <source>Now parts. Press Do it for me: it opens the sample &quot;Bolted brackets&quot; in place of the one that is open. It has two brackets on a plate, with bolts, a rod and nuts. With parts of your own, begin with File &gt; New from parts (Ctrl+N): STEP, mesh or URDF files.</source>
@@ -11570,7 +11578,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>The slider Explode in the panel Sequence moves the parts apart, in the order in which they leave. Choose Assembly &gt; Sequence &gt; Save the sequence (Ctrl+Alt+E) and a name that ends in .html or .pdf: a work instruction with a picture of each step. Shift+F1 explains anything in the window; Ctrl+K finds any command.</source>
-        <translation>Le curseur Éclater du panneau Séquence écarte les pièces, dans l&apos;ordre où elles partent. Choisissez Assemblage &gt; Séquence &gt; Enregistrer la séquence (Ctrl+Alt+E) et un nom qui finit par .html ou .pdf&#xa0;: une fiche d&apos;instructions avec une image de chaque étape. Maj+F1 explique tout dans la fenêtre&#xa0;; Ctrl+K trouve toute commande.</translation>
+        <translation>Le curseur Éclater du panneau Séquence écarte les pièces, dans l&apos;ordre où elles sortent. Choisissez Assemblage &gt; Séquence &gt; Enregistrer la séquence (Ctrl+Alt+E) et un nom qui finit par .html ou .pdf&#xa0;: une gamme de montage avec une image de chaque étape. Maj+F1 explique tout dans la fenêtre&#xa0;; Ctrl+K trouve toute commande.</translation>
     </message>
 </context>
 <context>
@@ -11628,7 +11636,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>The pairs of bodies that touch or overlap as designed, with their kind and the allowance that planning takes. The menu of a row accepts a clash or marks a thread.</source>
-        <translation>Les paires de corps qui se touchent ou se recouvrent par conception, avec leur type et l&apos;amincissement que prend la planification. Le menu d&apos;une ligne permet d&apos;accepter une collision ou de déclarer un filetage.</translation>
+        <translation>Les paires de corps qui se touchent ou se recouvrent par conception, avec leur type et l&apos;amincissement que prend la planification. Le menu d&apos;une ligne permet d&apos;accepter une interférence ou de déclarer un filetage.</translation>
     </message>
     <message>
         <source>Figures of the run: iterations, nodes and edges of the two trees, configurations by who drew them, and the nearest obstacle of the object.</source>
@@ -11708,7 +11716,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>How they meet: planar, cylindrical, thread, press, overlap, contact or clash.</source>
-        <translation>Type de contact&#xa0;: plan, cylindrique, filetage, serrage, recouvrement, contact ou collision.</translation>
+        <translation>Type de contact&#xa0;: plan, cylindrique, filetage, serrage, recouvrement, contact ou interférence.</translation>
     </message>
     <message>
         <source>The distance of the surfaces; negative where the bodies overlap.</source>
@@ -12671,7 +12679,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <name>glissade::ComparePathsDialog</name>
     <message>
         <source>accepted clash, %1</source>
-        <translation>collision acceptée, %1</translation>
+        <translation>interférence acceptée, %1</translation>
     </message>
     <message>
         <source>Proof</source>
@@ -13119,7 +13127,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>By how much triangles may be off the surfaces of STEP files. Finer ones allow smaller gaps and take longer; by its size, a part has a thousandth of its diagonal, from 0.01 to 0.5 mm</source>
-        <translation>Écart possible entre les triangles et les surfaces des fichiers STEP. Des triangles plus fins permettent des jeux plus petits et prennent plus de temps ; selon sa taille, une pièce a un millième de sa diagonale, de 0,01 à 0,5 mm</translation>
+        <translation>Écart possible entre les triangles et les surfaces des fichiers STEP. Des triangles plus fins permettent des écarts plus petits entre les pièces et prennent plus de temps ; selon sa taille, une pièce a un millième de sa diagonale, de 0,01 à 0,5 mm</translation>
     </message>
     <message>
         <source> mm</source>
@@ -13142,7 +13150,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>accept a clash</source>
-        <translation>accepter une collision</translation>
+        <translation>accepter une interférence</translation>
     </message>
     <message>
         <source>mark a thread</source>
@@ -13169,7 +13177,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <name>glissade::FitsPanel</name>
     <message>
         <source>%1 is taken without what overlaps, up to %2 deep</source>
-        <translation>%1 est prise sans ce qui se chevauche, jusqu&apos;à %2 de profondeur</translation>
+        <translation>%1 est pris sans ce qui le recouvre, jusqu&apos;à %2 de profondeur</translation>
     </message>
     <message>
         <source>%1 is taken %2 thinner</source>
@@ -13177,7 +13185,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>Both bodies are taken as they are</source>
-        <translation>Les deux pièces sont prises telles quelles</translation>
+        <translation>Les deux corps sont pris tels quels</translation>
     </message>
     <message>
         <source>clear</source>
@@ -13193,7 +13201,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>clash</source>
-        <translation>collision</translation>
+        <translation>interférence</translation>
     </message>
     <message>
         <source>%1 overlap</source>
@@ -13201,7 +13209,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>%1 gap</source>
-        <translation>jeu %1</translation>
+        <translation>écart %1</translation>
     </message>
     <message>
         <source>touches</source>
@@ -13245,7 +13253,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>Gap</source>
-        <translation>Jeu</translation>
+        <translation>Écart</translation>
     </message>
     <message>
         <source>Negative where the bodies overlap</source>
@@ -13544,7 +13552,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>The headset was left. Choose View &gt; Headset to come back</source>
-        <translation>Le casque a été quitté. Choisissez Vue &gt; Visiocasque pour revenir</translation>
+        <translation>Le casque a été quitté. Choisissez Vue &gt; Casque pour revenir</translation>
     </message>
     <message>
         <source>This program was built without OpenXR, or there is no display</source>
@@ -13885,7 +13893,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <name>glissade::KeptPathsPanel</name>
     <message>
         <source>accepted clash with %1, %2 deep</source>
-        <translation>collision acceptée avec %1, profonde de %2</translation>
+        <translation>interférence acceptée avec %1, profonde de %2</translation>
     </message>
     <message>
         <source>taken %1 thinner against %2</source>
@@ -14894,7 +14902,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <name>glissade::PathPanel</name>
     <message>
         <source>accepted clash with %1, %2 deep</source>
-        <translation>collision acceptée avec %1, profonde de %2</translation>
+        <translation>interférence acceptée avec %1, profonde de %2</translation>
     </message>
     <message>
         <source>no hole in the file, with %1</source>
@@ -15427,8 +15435,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Ses extrémités ne sont pas le départ et le but.</translation>
     </message>
     <message>
-        <source>Start and goal are allowed now. Press Start (F5).</source>
-        <translation>Le départ et le but sont maintenant admis. Appuyez sur Démarrer (F5).</translation>
+        <source>Start and goal are allowed now. Press Find path (F5).</source>
+        <translation>Le départ et le but sont maintenant admis. Appuyez sur Chercher un chemin (F5).</translation>
     </message>
     <message>
         <source>The start is refused: &apos;%1&apos; overlaps or touches what is there.</source>
@@ -15979,7 +15987,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>Forbidden: no path leads through</source>
-        <translation>Interdit&#xa0;: aucun trajet n&apos;y passe</translation>
+        <translation>Interdit&#xa0;: aucun chemin n&apos;y passe</translation>
     </message>
     <message>
         <source>Preferred: ways through count %1 times shorter</source>
@@ -16026,7 +16034,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>Assembly plan (*.json);;Work instruction (*.html);;Work instruction (*.pdf);;Table of steps (*.csv);;Animation (*.glb)</source>
-        <translation>Plan d&apos;assemblage (*.json);;Gamme de montage (*.html);;Gamme de montage (*.pdf);;Table des étapes (*.csv);;Animation (*.glb)</translation>
+        <translation>Plan d&apos;assemblage (*.json);;Gamme de montage (*.html);;Gamme de montage (*.pdf);;Tableau des étapes (*.csv);;Animation (*.glb)</translation>
     </message>
     <message>
         <source>The assembly plan cannot be saved</source>
@@ -16129,7 +16137,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>The sequence cannot be planned with these demands</source>
-        <translation>La séquence ne peut pas être planifiée ainsi</translation>
+        <translation>La séquence ne peut pas être planifiée avec ces exigences</translation>
     </message>
 </context>
 <context>
@@ -16167,8 +16175,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Étape %1 à la main&#xa0;: %2</translation>
     </message>
     <message>
-        <source>Start a run. Its certified path becomes the step. Esc goes back.</source>
-        <translation>Démarrez un calcul. Son chemin certifié devient l&apos;étape. Échap revient en arrière.</translation>
+        <source>Find path (F5) begins a run. Its certified path becomes the step. Esc goes back.</source>
+        <translation>Chercher un chemin (F5) lance un calcul. Son chemin certifié devient l&apos;étape. Échap revient en arrière.</translation>
     </message>
 </context>
 <context>
@@ -16273,8 +16281,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message numerus="yes">
         <source>%n stuck.</source>
         <translation>
-            <numerusform>%n bloquée.</numerusform>
-            <numerusform>%n bloquées.</numerusform>
+            <numerusform>%n coincée.</numerusform>
+            <numerusform>%n coincées.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -16287,8 +16295,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message numerus="yes">
         <source>%n leave in groups that are not taken apart.</source>
         <translation>
-            <numerusform>%n part dans un groupe qui n&apos;est pas démonté.</numerusform>
-            <numerusform>%n partent dans des groupes qui ne sont pas démontés.</numerusform>
+            <numerusform>%n sort dans un groupe qui n&apos;est pas démonté.</numerusform>
+            <numerusform>%n sortent dans des groupes qui ne sont pas démontés.</numerusform>
         </translation>
     </message>
     <message>
@@ -16481,7 +16489,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>%1 is stuck.</source>
-        <translation>%1 est coincé.</translation>
+        <translation>%1 est coincée.</translation>
     </message>
     <message>
         <source>Blocked by %1.</source>

@@ -21,7 +21,7 @@ FRENCH = {
     "virtual s": "temps virtuel (s)",
     "random configurations": "configurations aléatoires",
     # Texts of the page.
-    ("A run can be seen again in the window: Study > Open run of a study, with its file. This command "
+    ("A run can be seen again in the window: Plan > Studies > Open run of a study, with its file. This command "
      "does the same for the first run:"):
         ("Un essai peut être revu dans la fenêtre : Étude > Ouvrir un essai d'une étude, avec son "
          "fichier. Cette commande fait de même pour le premier essai :"),

@@ -102,7 +102,7 @@ def _add_runs(page: Page, results: StudyResults, folder: Path, out: Path, words:
     import study_tables as tables
 
     page.heading(words("Runs"))
-    page.text(words("A run can be seen again in the window: Study > Open run of a study, with its file. This command "
+    page.text(words("A run can be seen again in the window: Plan > Studies > Open run of a study, with its file. This command "
                     "does the same for the first run:"))
     page.commands([f"glissade {shlex.quote(str(folder.resolve() / run.file))}" for run in results.runs[:1]])
     for number, cell in enumerate(results.cells, 1):

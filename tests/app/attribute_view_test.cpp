@@ -7,6 +7,7 @@
 #include <QTest>
 #include <QWheelEvent>
 
+#include "app/window/window_actions.h"
 #include "engine/files/scenario_io.h"
 #include "tests/engine/support/directories.h"
 #include "widgets/places/semantics_panel.h"
@@ -17,7 +18,7 @@ namespace {
 
 class AttributeViewTest : public testing::Test {
  protected:
-  AttributeViewTest() : actions(&window), panel(new SemanticsPanel(document, actions, &window)) {
+  AttributeViewTest() : actions(windowActions(), &window), panel(new SemanticsPanel(document, actions, &window)) {
     auto loaded = loadScenario(test::sourceDirectory() + "/samples/teaching/scenario.json");
     scenario = std::make_shared<const LoadedScenario>(std::move(*loaded));
     document.open(*scenario);

@@ -8,6 +8,8 @@
 
 #include <limits>
 
+#include "app/window/window_actions.h"
+
 namespace glissade {
 namespace {
 
@@ -26,7 +28,7 @@ class Calibration : public testing::Test {
   QTemporaryDir folder;
   QString file = folder.filePath(QStringLiteral("devices.ini"));
   HandInputsPtr hand = std::make_shared<HandInputs>();
-  ActionCatalogue actions{nullptr};
+  ActionCatalogue actions{windowActions(), nullptr};
   DeviceSettings settings{file};
   CalibrationDialog dialog{hand, settings, actions, nullptr};
 };

@@ -6,6 +6,7 @@
 #include <QToolButton>
 #include <QtTest/QTest>
 
+#include "app/window/window_actions.h"
 #include "engine/planning/planner.h"
 #include "widgets/controls/diagnostic_text.h"
 #include "widgets/controls/notice_bar.h"
@@ -128,8 +129,8 @@ TEST(StrategyUse, AHandTakesPartInTheAutomaticStrategy) {
 
 TEST(CommandPalette, FindsByPartsOfANameAndCarriesOut) {
   QObject parent;
-  ActionCatalogue actions(&parent);
-  EXPECT_EQ(matchingActions(actions, {}).size(), actionSpecs().size());
+  ActionCatalogue actions(windowActions(), &parent);
+  EXPECT_EQ(matchingActions(actions, {}).size(), actions.specs().size());
   ASSERT_FALSE(matchingActions(actions, QStringLiteral("export pa")).empty());
   EXPECT_EQ(matchingActions(actions, QStringLiteral("export pa")).front(), actions["file.export"]);
   EXPECT_TRUE(matchingActions(actions, QStringLiteral("zzz")).empty());
@@ -144,7 +145,7 @@ TEST(CommandPalette, FindsByPartsOfANameAndCarriesOut) {
 
 TEST(CommandPalette, DoesNotTriggerWhatCannotBeDone) {
   QObject parent;
-  ActionCatalogue actions(&parent);
+  ActionCatalogue actions(windowActions(), &parent);
   actions["view.top"]->setEnabled(false);
   CommandPalette palette(actions, nullptr);
   QTest::keyClicks(&palette.field(), QStringLiteral("view.top"));
@@ -155,7 +156,7 @@ TEST(CommandPalette, DoesNotTriggerWhatCannotBeDone) {
 
 TEST(LogPanel, ShowsMessagesFromALevelOn) {
   QObject parent;
-  ActionCatalogue actions(&parent);
+  ActionCatalogue actions(windowActions(), &parent);
   MessageLog log;
   LogPanel panel(log, actions);
   log.add(LogLevel::Information, QStringLiteral("one\ntwo"));
@@ -181,7 +182,7 @@ TEST(DiagnosticText, IsASentence) {
 
 TEST(NoticeBar, HasNamedButtonsThatTabReaches) {
   QObject parent;
-  ActionCatalogue actions(&parent);
+  ActionCatalogue actions(windowActions(), &parent);
   QWidget scene;
   scene.resize(500, 400);
   NoticeBar bar(actions, &scene, 100);

@@ -13,6 +13,7 @@
 #include <functional>
 #include <iostream>
 
+#include "app/window/window_actions.h"
 #include "tests/app/unseen_scene.h"
 #include "tests/engine/operator/fake_spacenav_daemon.h"
 #include "widgets/scene3d/camera_controller.h"
@@ -54,7 +55,7 @@ class Controller : public testing::Test {
   QString socket = folder.filePath(QStringLiteral("spnav.sock"));
   QWidget window;
   QStatusBar bar;
-  ActionCatalogue actions{nullptr};
+  ActionCatalogue actions{windowActions(), nullptr};
   SessionBridge bridge{SessionClock::RealTime};
   test::UnseenScene scene;
   std::unique_ptr<DeviceController> controller;

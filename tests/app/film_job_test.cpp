@@ -8,6 +8,8 @@
 
 #include <fstream>
 
+#include "app/window/window_actions.h"
+
 namespace glissade {
 namespace {
 
@@ -43,7 +45,7 @@ class FilmJobTest : public testing::Test {
   QByteArray path = qgetenv("PATH");
   QTemporaryDir folder;
   QStatusBar bar;
-  ActionCatalogue actions{nullptr};
+  ActionCatalogue actions{windowActions(), nullptr};
   SessionBridge bridge{SessionClock::RealTime};
   WorkController works{bridge, actions, bar};
   QImage picture{41, 30, QImage::Format_RGB32};

@@ -6,6 +6,8 @@
 #include <QFocusEvent>
 #include <QSignalSpy>
 
+#include "app/window/window_actions.h"
+
 namespace glissade {
 namespace {
 
@@ -26,7 +28,7 @@ PairFit pairOf(const char* a, const char* b, ContactKind kind, double overlap, b
 
 class FitsPanelTest : public ::testing::Test {
  protected:
-  FitsPanelTest() : actions(nullptr), panel(actions) {
+  FitsPanelTest() : actions(windowActions(), nullptr), panel(actions) {
     panel.setFits(std::make_shared<const std::vector<PairFit>>(
         std::vector<PairFit>{pairOf("nut", "bolt", ContactKind::Cylindrical, 0.0, false),
                              pairOf("screw", "plate", ContactKind::Thread, 4e-4, false),

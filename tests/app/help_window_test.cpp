@@ -1,4 +1,5 @@
 // The welcome page, the tour, "What's this?" and context menus, in the window as a person would use them.
+#include "app/window/window_actions.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/help/tour_steps.h"
 
@@ -13,7 +14,7 @@ class HelpWindow : public WindowTest {
 };
 
 TEST(Tour, ItsStepsSayWhatToDoAndNameWhatIsThere) {
-  ActionCatalogue actions(nullptr);
+  ActionCatalogue actions(windowActions(), nullptr);
   ASSERT_EQ(tourSteps().size(), 11U);
   int ofActions = 0;
   for (const TourStep& step : tourSteps()) {

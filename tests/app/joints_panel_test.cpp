@@ -4,6 +4,7 @@
 
 #include <QSignalSpy>
 
+#include "app/window/window_actions.h"
 #include "tests/app/joint_parts.h"
 
 namespace glissade {
@@ -13,7 +14,7 @@ using test::screwedTable;
 
 class JointsPanelTest : public ::testing::Test {
  protected:
-  JointsPanelTest() : actions(nullptr), panel(actions) { panel.setTable(screwedTable()); }
+  JointsPanelTest() : actions(windowActions(), nullptr), panel(actions) { panel.setTable(screwedTable()); }
 
   QTreeWidget& table() { return *panel.findChild<QTreeWidget*>(); }
   QString details() { return panel.findChild<QLabel*>(QStringLiteral("joint-details"))->text(); }

@@ -7,6 +7,9 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QRegularExpression>
+#include <set>
+#include <string>
+#include <tuple>
 
 #include "app/window/menu_table.h"
 #include "tests/app/whole_window.h"
@@ -101,18 +104,27 @@ TEST_P(MenusTest, MnemonicsOfTheMenuOfTheSceneAreUnique) {
   }
 }
 
-TEST_P(MenusTest, EveryActionIsInOneMenuAndSubmenusAreNoDeeperThanOne) {
+TEST_P(MenusTest, EveryActionIsInAMenuAndSubmenusAreNoDeeperThanOne) {
   const auto window = makeWindow();
-  QHash<QString, int> count;
-  for (const MenuSpec& menu : menuTable()) {
-    for (const char* entry : menu.entries) ++count[QLatin1String(entry)];
-  }
-  for (const ActionSpec& spec : actionSpecs()) {
-    const QString path = menuPath(*window->workbench().actions[QLatin1String(spec.id)]);
-    EXPECT_FALSE(path.isEmpty()) << spec.id << " is in no menu (app/window/menu_table.cpp)";
+  const ActionCatalogue& actions = window->workbench().actions;
+  for (const ActionSpec& spec : actions.specs()) {
+    const QString path = menuPath(*actions[QLatin1String(spec.id)]);
+    EXPECT_FALSE(path.isEmpty()) << spec.id << " is in no menu: its row has no place, or one in an unknown menu";
     EXPECT_LE(path.count(QLatin1Char('>')), 1) << spec.id;
-    EXPECT_LE(count.value(QLatin1String(spec.id)), 1) << spec.id;
   }
+}
+
+/// Six menus are read at first sight. Equal places would leave the order to the order of the features.
+TEST_P(MenusTest, SixMenusAndEveryPlaceIsTakenOnce) {
+  const auto window = makeWindow();
+  EXPECT_EQ(window->menuBar()->actions().size(), 6);
+  std::set<std::tuple<std::string, int, int>> places;
+  const auto expectFree = [&](const MenuPlace& place, const char* id) {
+    if (place.menu[0] == 0 && place.group == 0) return;
+    EXPECT_TRUE(places.emplace(place.menu, place.group, place.order).second) << id;
+  };
+  for (const MenuSpec& menu : menuTable()) expectFree(menu.place, menu.id);
+  for (const ActionSpec& spec : window->workbench().actions.specs()) expectFree(spec.place, spec.id);
 }
 
 /// The paths "View > Layers > Path" of every action and "View > Layers" of every submenu.

@@ -5,6 +5,7 @@
 
 #include <QLabel>
 
+#include "app/window/window_actions.h"
 #include "engine/files/scenario_io.h"
 
 namespace glissade {
@@ -32,7 +33,7 @@ class PathPanelTest : public testing::Test {
   }
   QString text() const { return panel.findChild<QLabel*>(QStringLiteral("certificate"))->text(); }
 
-  ActionCatalogue actions{nullptr};
+  ActionCatalogue actions{windowActions(), nullptr};
   PathPanel panel{actions};
   LoadedScenario scenario;
 };

@@ -7,6 +7,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "app/window/window_actions.h"
 #include "engine/places/environment_model.h"
 
 namespace glissade {
@@ -50,7 +51,7 @@ class PlanPanelTest : public testing::Test {
   }
 
   const EnvironmentModelPtr environment = placesInARow(9);
-  ActionCatalogue actions{nullptr};
+  ActionCatalogue actions{windowActions(), nullptr};
   PlanPanel panel{actions};
 };
 

@@ -5,6 +5,8 @@
 #include <QPushButton>
 #include <QtTest>
 
+#include "app/window/window_actions.h"
+
 namespace glissade {
 namespace {
 
@@ -17,7 +19,7 @@ class PreferencesDialogTest : public testing::Test {
     return nullptr;
   }
 
-  ActionCatalogue actions{nullptr};
+  ActionCatalogue actions{windowActions(), nullptr};
   PreferencesDialog dialog{
       actions,
       {QStringLiteral("fr"), 11.0, LengthUnit::Inches, 20, SceneColours{Colour{1.0, 0.0, 0.0}, {}, {}, {}}},

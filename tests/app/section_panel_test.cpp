@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+#include "app/window/window_actions.h"
+
 namespace glissade {
 namespace {
 
@@ -21,7 +23,7 @@ class SectionPanelTest : public testing::Test {
     return panel.findChild<Widget*>(QLatin1String(name));
   }
 
-  ActionCatalogue actions{nullptr};
+  ActionCatalogue actions{windowActions(), nullptr};
   SectionPanel panel{actions};
   int changes = 0;
 };

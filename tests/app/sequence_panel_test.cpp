@@ -5,6 +5,7 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include "app/window/window_actions.h"
 #include "tests/engine/sequence/products.h"
 #include "widgets/sequence/stuck_marks.h"
 
@@ -13,7 +14,7 @@ namespace {
 
 class SequencePanelTest : public ::testing::Test {
  protected:
-  SequencePanelTest() : actions(nullptr), panel(actions) {
+  SequencePanelTest() : actions(windowActions(), nullptr), panel(actions) {
     auto product = std::make_shared<AssembledProduct>(test::lockedDrawer());
     auto plan = std::make_shared<AssemblyPlan>();
     for (const RigidBody& body : product->bodies) plan->bodies.push_back(body.id);

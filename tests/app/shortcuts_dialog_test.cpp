@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+#include "app/window/window_actions.h"
+
 namespace glissade {
 namespace {
 
@@ -24,7 +26,7 @@ class ShortcutsDialogTest : public testing::Test {
   QTableWidget& table() { return *dialog_.findChild<QTableWidget*>(); }
 
   QWidget window_;
-  ActionCatalogue actions_{&window_};
+  ActionCatalogue actions_{windowActions(), &window_};
   ShortcutsDialog dialog_{actions_, &window_};
 };
 

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "app/window/guarded_application.h"
+#include "app/window/window_actions.h"
 #include "engine/base/guarded.h"
 #include "engine/files/scenario_io.h"
 #include "engine/session/run_comparison.h"
@@ -103,7 +104,7 @@ TEST_P(BackgroundExceptions, OfWorkThatIsCancelledAreNotTold) {
 
 TEST_P(BackgroundExceptions, ReachTheWindowThroughTheWorkController) {
   QStatusBar bar;
-  ActionCatalogue actions{nullptr};
+  ActionCatalogue actions{windowActions(), nullptr};
   SessionBridge bridge{atOnce() ? SessionClock::Lockstep : SessionClock::RealTime};
   WorkController works{bridge, actions, bar};
   Failures failures(works);

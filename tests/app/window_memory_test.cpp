@@ -6,6 +6,8 @@
 #include <QDockWidget>
 #include <QTemporaryDir>
 
+#include "app/window/window_actions.h"
+
 namespace glissade {
 namespace {
 
@@ -161,7 +163,7 @@ TEST_F(Memory, TheThemeIsTheDesktopsUntilOneIsChosen) {
 TEST_F(Memory, ChoicesComeBack) {
   QWidget window;
   {
-    ActionCatalogue actions(&window);
+    ActionCatalogue actions(windowActions(), &window);
     actions["navigation.blender"]->setChecked(true);
     actions["view.orthographic"]->setChecked(true);
     actions.setShortcut("view.fit", QKeySequence("Ctrl+Alt+F"));
@@ -169,14 +171,14 @@ TEST_F(Memory, ChoicesComeBack) {
     WindowMemory(file()).saveChoices(actions);
   }
   QWidget another;
-  ActionCatalogue actions(&another);
+  ActionCatalogue actions(windowActions(), &another);
   WindowMemory(file()).restoreChoices(actions);
   EXPECT_TRUE(actions["navigation.blender"]->isChecked());
   EXPECT_FALSE(actions["navigation.cad"]->isChecked());
   EXPECT_TRUE(actions["view.orthographic"]->isChecked());
   EXPECT_EQ(actions["view.fit"]->shortcut(), QKeySequence("Ctrl+Alt+F"));
   EXPECT_TRUE(actions["run.start"]->shortcut().isEmpty());
-  EXPECT_EQ(actions["file.open"]->shortcut(), ActionCatalogue::usualShortcut("file.open"));
+  EXPECT_EQ(actions["file.open"]->shortcut(), actions.usualShortcut("file.open"));
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <QtTest>
 #include <atomic>
 
+#include "app/window/window_actions.h"
+
 namespace glissade {
 namespace {
 
@@ -27,7 +29,7 @@ class Works : public testing::Test {
   bool second = false;
   bool third = false;
   QStatusBar bar;
-  ActionCatalogue actions{nullptr};
+  ActionCatalogue actions{windowActions(), nullptr};
   SessionBridge bridge{SessionClock::RealTime};
   WorkController works{bridge, actions, bar};
 };

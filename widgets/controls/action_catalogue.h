@@ -10,13 +10,26 @@
 
 namespace glissade {
 
-/// One row of the catalogue. Every action has an id, for scripts and shortcuts.
+/// The place of an action or of a submenu in the menus. Entries are sorted by group and order; a separator stands
+/// between groups.
+struct MenuPlace {
+  const char* menu = "";  ///< "menu.file"; empty: none, because a controller fills the menu
+  int group = 0;
+  int order = 0;
+};
+
+/// One row of the catalogue. Every action has an id, for scripts and shortcuts. Texts are English; they are translated
+/// in the context "Actions", the help in "ActionHelp".
 struct ActionSpec {
-  const char* id;        ///< "run.start"
-  const char* text;      ///< English, with mnemonic; translated in the context "Actions"
-  const char* shortcut;  ///< portable text; may be empty
-  const char* tip;       ///< the effect, in one sentence
-  bool checkable;
+  const char* id;           ///< "run.start"; the icon has the same name
+  const char* text;         ///< with mnemonic
+  const char* key = "";     ///< shortcut as portable text; may be empty
+  const char* tip;          ///< the effect, in one sentence
+  MenuPlace place = {};     ///< where it is in the menus
+  const char* button = "";  ///< short text of buttons whose panel or icon gives the context; empty: the whole text
+  const char* help = "";    ///< further help, for a person who sees the action for the first time; may be empty
+  bool checkable = false;
+  bool remembered = false;  ///< the check mark is a choice for all scenarios, which the settings keep
 };
 
 /// The text of an action without its mnemonic; "&&" stands for a '&'.
@@ -34,25 +47,24 @@ inline QString commandName(QString text) {
   return text;
 }
 
-/// All actions, in the order of the help page.
-const std::vector<ActionSpec>& actionSpecs();
-
 /// The actions of one window, by id.
 class ActionCatalogue final : public QObject {
   Q_OBJECT
 
  public:
-  explicit ActionCatalogue(QObject* parent);
+  /// `specs`: the actions of all features, in the order of the help page.
+  ActionCatalogue(std::vector<ActionSpec> specs, QObject* parent);
 
-  /// Precondition: the id is in actionSpecs().
+  const std::vector<ActionSpec>& specs() const { return specs_; }
+  /// Precondition: the id is in specs().
   QAction* operator[](const QString& id) const { return actions_.value(id); }
   /// Null if no action has this id.
   QAction* find(const QString& id) const { return actions_.value(id, nullptr); }
   /// Sets another shortcut for an action, as long as the window exists; empty: none. Precondition: the id is in
-  /// actionSpecs().
+  /// specs().
   void setShortcut(const QString& id, const QKeySequence& keys);
-  /// The shortcut in actionSpecs().
-  static QKeySequence usualShortcut(const QString& id);
+  /// The shortcut in specs().
+  QKeySequence usualShortcut(const QString& id) const;
   /// "Ctrl+O  Open a scenario" lines as HTML table rows, for the help page.
   QString shortcutTable() const;
   /// Temporary actions that are in no catalogue, such as the named views of a scenario. They are found by their name as
@@ -61,6 +73,9 @@ class ActionCatalogue final : public QObject {
   const QList<QAction*>& passing() const { return passing_; }
 
  private:
+  const ActionSpec& specOf(const QString& id) const;
+
+  std::vector<ActionSpec> specs_;
   QList<QAction*> passing_;
   QHash<QString, QAction*> actions_;
 };

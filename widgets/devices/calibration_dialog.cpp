@@ -197,7 +197,7 @@ QWidget* CalibrationDialog::makeMotion() {
 QWidget* CalibrationDialog::makeButtons() {
   for (std::size_t button = 0; button < kInputButtons; ++button) button_->addItem(QString::number(button));
   action_->addItem(tr("nothing"), QString());
-  for (const ActionSpec& spec : actionSpecs()) {
+  for (const ActionSpec& spec : actions_.specs()) {
     const QString id = QLatin1String(spec.id);
     action_->addItem(withoutMnemonic(actions_[id]->text()), id);
   }

@@ -44,7 +44,7 @@ std::vector<QAction*> matchingActions(const ActionCatalogue& actions, const QStr
     const int rank = rankOf(*action, text.trimmed());
     if (rank >= 0) ranked.emplace_back(rank, action);
   };
-  for (const ActionSpec& spec : actionSpecs()) add(actions[QLatin1String(spec.id)]);
+  for (const ActionSpec& spec : actions.specs()) add(actions[QLatin1String(spec.id)]);
   for (QAction* action : actions.passing()) add(action);
   std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<QAction*> found;

@@ -35,7 +35,7 @@ const QDockWidget* dockOf(const QWidget* widget) {
 ManualFacts manualFacts(const QMainWindow& window, const ActionCatalogue& actions) {
   ManualFacts facts;
   facts.language = windowLanguage() == Language::French ? QStringLiteral("fr") : QStringLiteral("en");
-  for (const ActionSpec& spec : actionSpecs()) {
+  for (const ActionSpec& spec : actions.specs()) {
     const QAction* action = actions[QLatin1String(spec.id)];
     facts.actions.push_back({action->objectName(), commandName(action->text()), menuPath(*action), nativeKeys(action),
                              action->statusTip()});

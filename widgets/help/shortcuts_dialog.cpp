@@ -54,7 +54,7 @@ ShortcutsDialog::ShortcutsDialog(const ActionCatalogue& actions, QWidget* parent
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setTabKeyNavigation(false);
-  for (const ActionSpec& spec : actionSpecs()) addRow(spec);
+  for (const ActionSpec& spec : actions_.specs()) addRow(spec);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   auto* column = new QVBoxLayout(this);
   column->addWidget(filter_);
@@ -86,7 +86,7 @@ QLayout* ShortcutsDialog::makeEditor() {
   connect(keys_, &QKeySequenceEdit::keySequenceChanged, this, &ShortcutsDialog::explain);
   connect(assign_, &QPushButton::clicked, this, [this] { assign(keys_->keySequence()); });
   connect(remove_, &QPushButton::clicked, this, [this] { assign({}); });
-  connect(usual_, &QPushButton::clicked, this, [this] { assign(ActionCatalogue::usualShortcut(chosenId())); });
+  connect(usual_, &QPushButton::clicked, this, [this] { assign(actions_.usualShortcut(chosenId())); });
   return row;
 }
 
@@ -109,7 +109,7 @@ void ShortcutsDialog::showKeys() {
     QTableWidgetItem* item = table_->item(row, kShortcut);
     item->setText(native(shortcuts_.value(id)));
     QFont font = table_->font();
-    font.setBold(shortcuts_.value(id) != ActionCatalogue::usualShortcut(id));
+    font.setBold(shortcuts_.value(id) != actions_.usualShortcut(id));
     item->setFont(font);
   }
 }
@@ -158,7 +158,7 @@ void ShortcutsDialog::explain() {
   keys_->setEnabled(!id.isEmpty());
   assign_->setEnabled(!id.isEmpty() && !plain && !keys.isEmpty() && keys != shortcuts_.value(id));
   remove_->setEnabled(!id.isEmpty() && !shortcuts_.value(id).isEmpty());
-  usual_->setEnabled(!id.isEmpty() && shortcuts_.value(id) != ActionCatalogue::usualShortcut(id));
+  usual_->setEnabled(!id.isEmpty() && shortcuts_.value(id) != actions_.usualShortcut(id));
 }
 
 }  // namespace glissade

@@ -77,7 +77,7 @@ TourController::TourController(const Workbench& bench)
   connect(bench.actions["work.cancel"], &QAction::changed, this,
           [this] { escape_->setEnabled(current_ && !bench_.actions["work.cancel"]->isEnabled()); });
   escape_->setEnabled(false);
-  for (const ActionSpec& spec : actionSpecs()) {
+  for (const ActionSpec& spec : bench.actions.specs()) {
     const QString id = QLatin1String(spec.id);
     connect(bench.actions[id], &QAction::triggered, this, [this, id] { noteAction(id); });
   }

@@ -60,18 +60,19 @@ const std::vector<TourStep>& tourSteps() {
        {"action layer.places"},
        arePlacesShown},
       {QT_TRANSLATE_NOOP("Tour", "Plan with topology"),
-       QT_TRANSLATE_NOOP("Tour",
-                         "In the list of strategies (panel Interaction), choose Advanced, then Shortest way through "
-                         "places (GT), and press Start (F5). The way leads through the slot P6, which is too narrow, "
-                         "and the run ends there: the panel Plan "
-                         "says where and why."),
+       QT_TRANSLATE_NOOP(
+           "Tour",
+           "In the list of strategies (panel Interaction), choose Advanced, then Shortest way through "
+           "places (GT), and press Find path (F5). The way leads through the slot P6, which is too narrow, "
+           "and the run ends there: the panel Plan "
+           "says where and why."),
        "strategy",
        {"select-strategy gt", "action run.start"},
        hasRunGt},
       {QT_TRANSLATE_NOOP("Tour", "Plan with semantics"),
        QT_TRANSLATE_NOOP(
            "Tour",
-           "Choose the strategy Layers and press Start (F5). It knows that the object does not fit through "
+           "Choose the strategy Layers and press Find path (F5). It knows that the object does not fit through "
            "the slot and goes through P5. The path that it finds is proved free of penetration."),
        "strategy",
        {"select-strategy gts", "action run.start"},
@@ -102,9 +103,10 @@ const std::vector<TourStep>& tourSteps() {
        {"action fits.find"},
        nullptr},
       {QT_TRANSLATE_NOOP("Tour", "Take a part out"),
-       QT_TRANSLATE_NOOP("Tour",
-                         "Press Start (F5): the planner searches how the nut leaves the rod. The panel Path shows the "
-                         "clearance along the motion, the allowances, and plays it (Ctrl+P)."),
+       QT_TRANSLATE_NOOP(
+           "Tour",
+           "Press Find path (F5): the planner searches how the nut leaves the rod. The panel Path shows the "
+           "clearance along the motion, the allowances, and plays it (Ctrl+P)."),
        "run.start",
        {"action run.start"},
        hasNutPath},

@@ -160,7 +160,7 @@ void RefusalController::takeConflicts(const std::optional<EndConflicts>& found) 
     showConflicts();
     return;
   }
-  if (conflicts_) bench_.messages.showStatus(tr("Start and goal are allowed now. Press Start (F5)."));
+  if (conflicts_) bench_.messages.showStatus(tr("Start and goal are allowed now. Press Find path (F5)."));
   mark(nullptr);
   bar_->hide();
 }

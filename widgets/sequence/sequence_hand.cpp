@@ -97,7 +97,7 @@ void SequenceHand::showBanner() {
     title = tr("Step %1 by hand: %2").arg(QString::fromStdString(number), name);
   }
   banner_->showNotice({title,
-                       tr("Start a run. Its certified path becomes the step. Esc goes back."),
+                       tr("Find path (F5) begins a run. Its certified path becomes the step. Esc goes back."),
                        {"sequence.take-path", "sequence.leave-hand", "run.finish"}});
 }
 

@@ -40,7 +40,7 @@ void FullScreen::enter(const QString& display) {
   geometry_ = window_.geometry();
   maximized_ = window_.isMaximized();
   // The shortcuts of a command work only if a visible menu or the window itself has the command.
-  for (const ActionSpec& spec : actionSpecs()) window_.addAction(actions_[QLatin1String(spec.id)]);
+  for (const ActionSpec& spec : actions_.specs()) window_.addAction(actions_[QLatin1String(spec.id)]);
   for (QWidget* widget : around()) {
     if (widget->isHidden()) continue;
     widget->hide();
@@ -65,7 +65,7 @@ void FullScreen::leave() {
     if (widget) widget->show();
   }
   hidden_.clear();
-  for (const ActionSpec& spec : actionSpecs()) window_.removeAction(actions_[QLatin1String(spec.id)]);
+  for (const ActionSpec& spec : actions_.specs()) window_.removeAction(actions_[QLatin1String(spec.id)]);
   window_.restoreState(panels_);
   emit left();
 }

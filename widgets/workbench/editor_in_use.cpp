@@ -15,7 +15,7 @@ void commitEditorInUse() {
 }
 
 void commitBefore(const ActionCatalogue& actions) {
-  for (const ActionSpec& spec : actionSpecs()) {
+  for (const ActionSpec& spec : actions.specs()) {
     QObject::connect(actions[QLatin1String(spec.id)], &QAction::triggered, &commitEditorInUse);
   }
 }

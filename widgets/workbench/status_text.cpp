@@ -45,10 +45,10 @@ QString statusText(const SessionSnapshot& snapshot) {
   switch (snapshot.state) {
     case SessionState::Idle:
       if (snapshot.refused) {
-        return say(QT_TRANSLATE_NOOP("Status", "The path does not hold here: see Path. Start (F5) looks for another."));
+        return say(
+            QT_TRANSLATE_NOOP("Status", "The path does not hold here: see Path. Find path (F5) looks for another."));
       }
-      return say(
-          QT_TRANSLATE_NOOP("Status", "Ready. Press Start (F5), or take the object with the keys over the view."));
+      return say(QT_TRANSLATE_NOOP("Status", "Ready. Press Find path (F5), or steer with the keys."));
     case SessionState::Planning:
       if (snapshot.contactMode) {
         return say(QT_TRANSLATE_NOOP("Status", "Planning: sampling on the nearest obstacle's tangent plane"));

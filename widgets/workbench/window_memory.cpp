@@ -52,22 +52,6 @@ constexpr std::array<std::pair<const char*, double ScreenGeometry::*>, 3> kScree
      {"distance", &ScreenGeometry::distance},
      {"eye-separation", &ScreenGeometry::eyeSeparation}}};
 
-/// Ids of the checkable actions that are choices for all scenarios.
-std::vector<QLatin1String> choiceIds() {
-  std::vector<QLatin1String> ids;
-  for (const ActionSpec& spec : actionSpecs()) {
-    const QLatin1String id(spec.id);
-    if (id.startsWith(QLatin1String("navigation.")) || id == QLatin1String("view.orthographic") ||
-        id == QLatin1String("display.depth-shading") || id == QLatin1String("path.follow") ||
-        id == QLatin1String("section.handles") || id == QLatin1String("layer.grid") ||
-        id == QLatin1String("layer.legend") || id == QLatin1String("layer.keys") ||
-        id == QLatin1String("instruction.letter")) {
-      ids.push_back(id);
-    }
-  }
-  return ids;
-}
-
 /// Number of fields of a view: name, focus, quaternion x y z w, distance, orthographic.
 constexpr int kViewFields = 10;
 
@@ -254,23 +238,25 @@ void WindowMemory::savePreferences(const Preferences& preferences) {
 }
 
 void WindowMemory::saveChoices(const ActionCatalogue& actions) {
-  for (const QLatin1String id : choiceIds()) settings_.setValue(kChoices + id, actions[id]->isChecked());
   settings_.remove(QStringLiteral("shortcuts"));
-  for (const ActionSpec& spec : actionSpecs()) {
+  for (const ActionSpec& spec : actions.specs()) {
     const QLatin1String id(spec.id);
+    if (spec.remembered) settings_.setValue(kChoices + id, actions[id]->isChecked());
     const QKeySequence keys = actions[id]->shortcut();
-    if (keys != ActionCatalogue::usualShortcut(id)) settings_.setValue(kShortcuts + id, keys.toString());
+    if (keys != actions.usualShortcut(id)) settings_.setValue(kShortcuts + id, keys.toString());
   }
 }
 
 void WindowMemory::restoreChoices(ActionCatalogue& actions) const {
-  for (const ActionSpec& spec : actionSpecs()) {
+  for (const ActionSpec& spec : actions.specs()) {
     const QLatin1String id(spec.id);
     if (settings_.contains(kShortcuts + id)) {
       actions.setShortcut(id, QKeySequence(settings_.value(kShortcuts + id).toString()));
     }
   }
-  for (const QLatin1String id : choiceIds()) {
+  for (const ActionSpec& spec : actions.specs()) {
+    if (!spec.remembered) continue;
+    const QLatin1String id(spec.id);
     QAction* action = actions[id];
     const bool chosen = settings_.value(kChoices + id, action->isChecked()).toBool();
     const bool isOneOfSeveral = action->actionGroup() != nullptr;

@@ -83,6 +83,24 @@ TEST(MotionCheck, ANearlyStraightWayAlongAGapNeedsFewDistances) {
   EXPECT_EQ(judge.check({Pose::translation({-0.25, 0.0, kGap}), low}, {{kDemanded}}).status, check::Status::Violated);
 }
 
+/// A cube slides over a floor and passes a post on its way, nearer than the floor. The distances at both ends are those
+/// of the floor.
+TEST(MotionCheck, TheNearestBodyOnAStraightWayIsNamed) {
+  constexpr double kToFloor = 2e-4;
+  constexpr double kToPost = 5e-5;
+  const TriangleMesh object = makeBox(Vector3::Constant(0.1));
+  const auto thin = std::make_shared<const TriangleMesh>(object);
+  const auto floor = check::MotionCheck::prepare(makeBox({2.0, 2.0, 0.1}), Pose::translation({0.0, 0.0, -0.1}), 1.0);
+  const auto post =
+      check::MotionCheck::prepare(makeBox({0.05, 0.05, 0.3}), Pose::translation({0.0, 0.075 + kToPost, 0.16}), 1.0);
+  const check::MotionCheck judge({{floor, thin}, {post, thin}}, object, 1.0);
+  const check::MotionVerdict verdict =
+      judge.check({Pose::translation({-0.5, 0.0, kToFloor}), Pose::translation({0.5, 0.0, kToFloor})}, {{1e-6}});
+  ASSERT_EQ(verdict.status, check::Status::Certified);
+  EXPECT_NEAR(verdict.minClearance, kToPost, 1e-9);
+  EXPECT_EQ(verdict.nearest.body, 1);
+}
+
 /// Tests the proof by sweeps: random motions along a gap with small turns about any axis. The heights of the corners
 /// over the floor at 400 times confirm the certified clearance.
 TEST(MotionCheck, NothingComesNearerThanIsProvedOnNearlyStraightWays) {

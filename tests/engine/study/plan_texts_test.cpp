@@ -176,7 +176,7 @@ TEST(PlanGraph, ArrowsThatOthersImplyAreLeftOut) {
 TEST(PlanGraph, StuckPartsHaveArrowsFromWhatBlocksThem) {
   const std::string svg = planGraphSvg(somePlan(), test::lockedDrawer(), StudyWords(Language::French));
   EXPECT_EQ(countOf("stroke-dasharray", svg), 1U);
-  EXPECT_NE(svg.find("drawer (bloquée)"), std::string::npos);
+  EXPECT_NE(svg.find("drawer (coincée)"), std::string::npos);
   EXPECT_NE(svg.find("cabinet (reste)"), std::string::npos);
 }
 

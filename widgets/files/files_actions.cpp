@@ -1,0 +1,42 @@
+#include "widgets/files/files_actions.h"
+
+namespace glissade {
+
+std::vector<ActionSpec> filesActions() {
+  return {
+      {.id = "file.new",
+       .text = QT_TRANSLATE_NOOP("Actions", "&New from parts..."),
+       .key = "Ctrl+N",
+       .tip = QT_TRANSLATE_NOOP("Actions", "Make a scenario from STEP, mesh or URDF files, one of which moves"),
+       .place = {"menu.file", 1, 10},
+       .help =
+           QT_TRANSLATE_NOOP("ActionHelp",
+                             "STEP files of a product become one row for each part, placed as the assembly has it. "
+                             "Meshes may need a unit and an axis. One part moves; the others are static or mobile.")},
+      {.id = "file.open",
+       .text = QT_TRANSLATE_NOOP("Actions", "&Open scenario..."),
+       .key = "Ctrl+O",
+       .tip = QT_TRANSLATE_NOOP("Actions", "Open a scenario or an OMPL.app problem"),
+       .place = {"menu.file", 1, 20},
+       .button = QT_TRANSLATE_NOOP("Actions", "Open"),
+       .help = QT_TRANSLATE_NOOP("ActionHelp",
+                                 "A scenario holds bodies, the object that moves, its start and goal, places, fits, "
+                                 "kept paths and parameters.")},
+      {.id = "file.save",
+       .text = QT_TRANSLATE_NOOP("Actions", "&Save scenario"),
+       .key = "Ctrl+S",
+       .tip = QT_TRANSLATE_NOOP("Actions", "Save the scenario with its attributes, strategy and parameters"),
+       .place = {"menu.file", 2, 10},
+       .button = QT_TRANSLATE_NOOP("Actions", "Save")},
+      {.id = "file.save-as",
+       .text = QT_TRANSLATE_NOOP("Actions", "Save scenario &as..."),
+       .key = "Ctrl+Shift+S",
+       .tip = QT_TRANSLATE_NOOP("Actions", "Save the scenario under another name"),
+       .place = {"menu.file", 2, 20}},
+      {.id = "recent.forget",
+       .text = QT_TRANSLATE_NOOP("Actions", "&Forget the recent files"),
+       .tip = QT_TRANSLATE_NOOP("Actions", "Empty the list of the files opened last")},
+  };
+}
+
+}  // namespace glissade
