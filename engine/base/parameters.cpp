@@ -17,7 +17,8 @@ using Scale = ParameterScale;
 constexpr std::array<ParameterSpec, kParameterCount> kTable{{
     {Id::Alpha, "alpha", "--alpha", "α", GLISSADE_TEXT("Computer share"), "", 0.0, 1.0, 0.2, Scale::Absolute, false,
      true,
-     GLISSADE_TEXT("The computer's share of the iterations: 1 is the automatic planner alone, 0 the operator alone.")},
+     GLISSADE_TEXT("The computer's share of the iterations: 1 is the automatic planner alone, 0 the operator alone. "
+                   "While the hand rests the computer goes on, except at 0 in the strategy With my hand.")},
     {Id::ContactSamples, "contact_samples", "--contact-samples", "N", GLISSADE_TEXT("Contact samples"), "", 1, 500, 10,
      Scale::Absolute, true, true,
      GLISSADE_TEXT("Samples drawn on the tangent plane each time contact mode is entered.")},

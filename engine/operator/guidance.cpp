@@ -4,11 +4,18 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/geometry/primitives.h"
+
 namespace glissade {
 namespace {
 
 /// Distance at which the spring of attraction has half its strength, in radii of the object.
 constexpr double kAttractionReach = 0.3;
+
+/// Size of an object that is nearly a point, in radii of the object that it stands for.
+constexpr double kPoint = 1e-4;
+/// Number of nearer points that are tried for a point that is out of sight.
+constexpr int kNearer = 8;
 
 Vector3 shortened(const Vector3& v) {
   const double length = v.norm();
@@ -69,6 +76,32 @@ std::optional<Pose> aheadOnWay(const std::vector<Pose>& way, const Pose& q, cons
     at = way[i];
   }
   return way.back();
+}
+
+CollisionWorldPtr pointWorld(const CollisionWorld& world) {
+  const double size = kPoint * world.objectRadius();
+  return world.updated(world.obstacles(), std::make_shared<const TriangleMesh>(makeBox(Vector3::Constant(size))));
+}
+
+std::optional<Pose> aheadInSight(const std::vector<Pose>& way, const Pose& q, const Se3Metric& metric, double ahead,
+                                 CollisionQuery& sight) {
+  const Pose eye = Pose::translation(q.position);
+  if (sight.collides(eye)) return aheadOnWay(way, q, metric, ahead);
+  const auto isSeen = [&](const Pose& there) {
+    const Pose to = Pose::translation(there.position);
+    return sight.checkMotion(eye, to, kPoint * metric.radius(), SeekViolation::Any, {}).status ==
+           CertificateStatus::Certified;
+  };
+  for (int i = kNearer; i > 0; --i) {
+    const auto target = aheadOnWay(way, q, metric, ahead * i / kNearer);
+    if (target && isSeen(*target)) return target;
+  }
+  std::optional<Pose> nearest;
+  for (const Pose& there : way) {
+    const bool isNearer = !nearest || metric.distance(there, q) < metric.distance(*nearest, q);
+    if (isNearer && isSeen(there)) nearest = there;
+  }
+  return nearest;
 }
 
 }  // namespace glissade

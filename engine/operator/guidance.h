@@ -38,4 +38,13 @@ Wrench guidanceWrench(const Guidance& guidance, const Pose& X_WB, const NearestO
 /// of its point nearest to q; the end of the way where it is shorter. Nothing for an empty way.
 std::optional<Pose> aheadOnWay(const std::vector<Pose>& way, const Pose& q, const Se3Metric& metric, double ahead);
 
+/// As aheadOnWay(), but the straight line between the positions meets no obstacle: the point is less far ahead where it
+/// would. Where none of these is in sight it is the visible corner of the way nearest to q. Nothing where no corner is
+/// in sight. `sight`: a query of pointWorld(). Where the reference point is in an obstacle, sight does not count.
+std::optional<Pose> aheadInSight(const std::vector<Pose>& way, const Pose& q, const Se3Metric& metric, double ahead,
+                                 CollisionQuery& sight);
+
+/// The obstacles of the world with an object that is nearly a point. They are not prepared again.
+CollisionWorldPtr pointWorld(const CollisionWorld& world);
+
 }  // namespace glissade

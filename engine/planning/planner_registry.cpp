@@ -6,6 +6,7 @@
 #include "engine/planning/direct_planner.h"
 #include "engine/planning/fine/multi_layer_planner.h"
 #include "engine/planning/interactive/hand_partner.h"
+#include "engine/planning/interactive/hand_planner.h"
 #include "engine/planning/ompl/ompl_planner.h"
 #include "engine/planning/planner.h"
 #include "engine/planning/rrt.h"
@@ -114,6 +115,13 @@ PlannerRegistry allWholePlanners() {
            "Several planners work side by side; those that make progress get more time. No settings are needed."),
        false, true, [](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
          return std::make_unique<AutomaticPlanner>(problem, seed);
+       }});
+  registry.add(
+      {"by-hand", GLISSADE_TEXT("With my hand"),
+       GLISSADE_TEXT("You steer the object. The way of your hand is kept and proved, and the computer searches "
+                     "from it; at α = 1 the automatic planners finish the path."),
+       true, true, [](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
+         return std::make_unique<HandPlanner>(problem, seed);
        }});
   registry.add(
       {"interactive", GLISSADE_TEXT("Interactive"),

@@ -19,8 +19,9 @@ inline constexpr EnumNames<Author, 3> kAuthorNames{{"computer", "operator", "con
 template <class T>
 using PerAuthor = std::array<T, 3>;
 
-/// Root from which a node first grew; it decides the colour of the trees.
-enum class TreeSide : std::uint8_t { Start, Goal };
+/// Root from which a node first grew; it decides the colour of the trees. Hand: a trail of the hand that began on its
+/// own.
+enum class TreeSide : std::uint8_t { Start, Goal, Hand };
 
 struct RoadmapNode {
   Pose q;

@@ -25,16 +25,22 @@ TreePlanner::Extension TreePlanner::extension(Node from, const Pose& q, double d
   return {Progress::Blocked, interpolate(origin, target, t)};
 }
 
+std::vector<PathPoint> TreePlanner::pointsOf(const RoadmapGraph::Way& way) const {
+  std::vector<PathPoint> points;
+  Node before = way.nodes.front();
+  for (const Node node : way.nodes) {
+    const Author segment = roadmap_.nodes()[std::max(before, node)].author;
+    points.push_back({roadmap_.nodes()[node].q, roadmap_.nodes()[node].author, segment});
+    before = node;
+  }
+  return points;
+}
+
 TreePlanner::Delivery TreePlanner::deliverWay(Node goal, PlannerHost& host) {
   const auto way = roadmap_.way(startRoot_, goal);
   if (!way) return Delivery::NoWay;
   Path path;
-  Node before = way->nodes.front();
-  for (const Node node : way->nodes) {
-    const Author segment = roadmap_.nodes()[std::max(before, node)].author;
-    path.points.push_back({roadmap_.nodes()[node].q, roadmap_.nodes()[node].author, segment});
-    before = node;
-  }
+  path.points = pointsOf(*way);
   path.certificate = certifyPath(*query_, path.points, host.parameters(), host.stopToken());
   if (path.certificate.status == CertificateStatus::Certified) {
     path_ = std::move(path);

@@ -44,6 +44,9 @@ class TreePlanner : public Planner {
   /// The straight extension from a node towards q, at `distance` (> 0) from it. Adds nothing to the roadmap.
   Extension extension(Node from, const Pose& q, double distance, const ExtensionRule& rule, PlannerHost& host);
 
+  /// The points of a way through the roadmap.
+  std::vector<PathPoint> pointsOf(const RoadmapGraph::Way& way) const;
+
   enum class Delivery { NoWay, Delivered, Dropped, Stopped };
   /// Certifies the way from the start to this node, where there is one, and makes it the path. An edge that cannot be
   /// certified is dropped from the search.

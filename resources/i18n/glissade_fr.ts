@@ -2434,6 +2434,18 @@
         <source>transparent x-ray</source>
         <translation>transparence rayons x</translation>
     </message>
+    <message>
+        <source>Finish &amp;for me</source>
+        <translation>&amp;Finir à ma place</translation>
+    </message>
+    <message>
+        <source>Let the computer finish the run at full speed, from what your hand has reached</source>
+        <translation>Laisser l&apos;ordinateur finir le calcul à pleine vitesse, à partir de ce que votre main a atteint</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Terminé</translation>
+    </message>
 </context>
 <context>
     <name>Arranging</name>
@@ -5129,10 +5141,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>Computer share</source>
         <translation>Part de l&apos;ordinateur</translation>
-    </message>
-    <message>
-        <source>The computer&apos;s share of the iterations: 1 is the automatic planner alone, 0 the operator alone.</source>
-        <translation>La part de l&apos;ordinateur dans les itérations&#xa0;: 1 est le planificateur seul, 0 l&apos;opérateur seul.</translation>
     </message>
     <message>
         <source>Contact samples</source>
@@ -11398,6 +11406,18 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <source>Operator: %1 or replay:FILE</source>
         <translation>Opérateur&#xa0;: %1 ou replay:FICHIER</translation>
     </message>
+    <message>
+        <source>The computer&apos;s share of the iterations: 1 is the automatic planner alone, 0 the operator alone. While the hand rests the computer goes on, except at 0 in the strategy With my hand.</source>
+        <translation>La part de l&apos;ordinateur dans les itérations&#xa0;: 1 est le planificateur seul, 0 l&apos;opérateur seul. Tant que la main est immobile, l&apos;ordinateur continue, sauf à 0 avec la stratégie Avec ma main.</translation>
+    </message>
+    <message>
+        <source>With my hand</source>
+        <translation>Avec ma main</translation>
+    </message>
+    <message>
+        <source>You steer the object. The way of your hand is kept and proved, and the computer searches from it; at α = 1 the automatic planners finish the path.</source>
+        <translation>Vous guidez l&apos;objet. Le trajet de votre main est conservé et prouvé, et l&apos;ordinateur cherche à partir de lui&#xa0;; à α = 1, les planificateurs automatiques finissent le chemin.</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -14826,10 +14846,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Pleine vitesse</translation>
     </message>
     <message>
-        <source>%1 steps a second (the first paper)</source>
-        <translation>%1 pas par seconde (premier article)</translation>
-    </message>
-    <message>
         <source>%1 steps a second</source>
         <translation>%1 pas par seconde</translation>
     </message>
@@ -14840,6 +14856,10 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>How fast a run goes: choose a pace or type steps a second, to watch and to steer</source>
         <translation>Vitesse du calcul&#xa0;: choisissez une cadence ou saisissez un nombre de pas par seconde, pour regarder et guider</translation>
+    </message>
+    <message>
+        <source>%1 steps a second: real time</source>
+        <translation>%1 pas par seconde&#xa0;: temps réel</translation>
     </message>
 </context>
 <context>
@@ -16395,8 +16415,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Le chemin fait à la main devient le mouvement de %1.</translation>
     </message>
     <message>
-        <source>You move %1 by hand, among the parts that are present at its step. Find path (F5) begins a run. Its certified path becomes the step.</source>
-        <translation>Vous déplacez %1 à la main, parmi les pièces présentes à son étape. Chercher un chemin (F5) lance un calcul. Son chemin certifié devient l&apos;étape.</translation>
+        <source>Step %1 by hand: %2</source>
+        <translation>Étape %1 à la main&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Find path (F5) begins a run. Its certified path becomes the step. Esc goes back.</source>
+        <translation>Chercher un chemin (F5) lance un calcul. Son chemin certifié devient l&apos;étape. Échap revient en arrière.</translation>
     </message>
 </context>
 <context>

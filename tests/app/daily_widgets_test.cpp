@@ -123,8 +123,8 @@ TEST(StrategyUse, EveryStrategyHasItsGroupAndItsParameters) {
 }
 
 TEST(StrategyUse, AHandTakesPartInTheAutomaticStrategy) {
-  EXPECT_EQ(strategyWithHand("auto", "hand"), "interactive");
-  EXPECT_EQ(strategyWithHand("auto", "expert"), "interactive");
+  EXPECT_EQ(strategyWithHand("auto", "hand"), "by-hand");
+  EXPECT_EQ(strategyWithHand("auto", "expert"), "by-hand");
   EXPECT_EQ(strategyWithHand("auto", "none"), "auto");
   for (const char* chosen : {"interactive", "contact-birrt", "gts"})
     EXPECT_EQ(strategyWithHand(chosen, "hand"), chosen);

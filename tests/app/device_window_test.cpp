@@ -55,6 +55,17 @@ TEST_F(DeviceWindow, KeysSteerInTheAxesThatAreChosenAndWallsStopTheObject) {
   EXPECT_GT(changed("held.png", "released.png"), 0.02) << "the hand is no longer ahead";
 }
 
+/// At alpha = 0 nothing is planned while the hand rests. Finish for me gives the run to the computer, and the settings
+/// are as before when it has ended.
+TEST_F(DeviceWindow, TheComputerFinishesARunByHandOnRequest) {
+  const WindowResult outcome =
+      run(QStringLiteral("sliding-plane"),
+          QStringLiteral("select-operator hand\nselect-strategy by-hand\nset alpha 0\naction run.start\nsteps 500\n"
+                         "expect planning\naction run.finish\nexpect-value alpha 1\nwait solved 100000\nsteps 1\n"
+                         "expect-value alpha 0\n"));
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
+}
+
 TEST_F(DeviceWindow, ScriptsAboutDevicesSayWhereTheyGoWrong) {
   for (const char* line : {"plug telepathy X", "deflect mouse6d 1 2 3 4 5 six", "press gamepad 99"}) {
     EXPECT_EQ(run(QStringLiteral("sliding-plane"), QString::fromLatin1(line)).exitCode, 3) << line;

@@ -33,7 +33,7 @@ class InteractionPanelTest : public testing::Test {
 
 TEST_F(InteractionPanelTest, ListsThreeStrategiesAndTheOthersUnderAdvanced) {
   showRunOf("gts");
-  EXPECT_EQ(strategies(), (QStringList{"auto", "interactive", "gts"}));
+  EXPECT_EQ(strategies(), (QStringList{"auto", "by-hand", "gts"}));
   EXPECT_EQ(list().currentText(), QStringLiteral("Layers"));
   QSignalSpy commanded(&panel, &InteractionPanel::commanded);
   choose(list().count() - 1);

@@ -154,11 +154,12 @@ TEST_F(SequenceWindow, AStepIsMovedByHandAndItsPathComesBack) {
                                       "expect-sequence steps 1\nshow-step 1\naction sequence.by-hand\n"
                                       "action run.start\nwait solved 20000\nsteps 1\n"
                                       "expect-sequence end complete\nexport-sequence %1\n"
-                                      "action edit.undo\nexpect-row 1 certified\n")
+                                      "action edit.undo\nexpect-row 1 certified\n"
+                                      "action sequence.plan\nexpect-sequence steps 1\n")
                            .arg(file("hand.json"))));
   // No person steered the run.
   EXPECT_FALSE(content("hand.json").contains("\"method\": \"by hand\""));
-  EXPECT_TRUE(content("hand.json").contains("\"method\": \"interactive\""));
+  EXPECT_TRUE(content("hand.json").contains("\"method\": \"by-hand\""));
   // The links of a URDF move as one body.
   expectGood(
       runOnStand(QStringLiteral("plan-sequence all\nshow-step 7\naction sequence.by-hand\nexpect-log alone\n"

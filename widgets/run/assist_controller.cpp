@@ -171,7 +171,7 @@ void AssistController::startByHand() {
     const std::size_t chosen = chosen_;
     bench_.session.post(command::Stop{});
     if (!isPerson(bench_.session.deviceId())) bench_.session.setDevice("hand");
-    if (!followsHand(bench_.document.settings().strategy)) bench_.session.post(command::SetPlanner{"interactive"});
+    if (!followsHand(bench_.document.settings().strategy)) bench_.session.post(command::SetPlanner{"by-hand"});
     places_ = places;  // changing the device ended the session, which cleared places_
     chosen_ = chosen;
     starting_ = true;

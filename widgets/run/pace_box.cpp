@@ -18,7 +18,7 @@ constexpr std::array<double, 6> kPaces{0.0, 1000.0, 200.0, kPaperPace, 10.0, 1.0
 QString paceText(double pace) {
   if (pace <= 0.0) return PaceBox::tr("Full speed");
   const QString number = QLocale().toString(pace, 'g', 6);
-  if (pace == kPaperPace) return PaceBox::tr("%1 steps a second (the first paper)").arg(number);
+  if (pace == kPaperPace) return PaceBox::tr("%1 steps a second: real time").arg(number);
   return PaceBox::tr("%1 steps a second").arg(number);
 }
 

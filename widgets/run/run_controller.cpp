@@ -6,6 +6,7 @@
 #include <QThread>
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/base/enum_names.h"
 #include "engine/base/number_text.h"
@@ -155,6 +156,7 @@ void RunController::connectActions() {
     bench_.session.post(pause ? Command(command::Pause{}) : Command(command::Resume{}));
   });
   bench_.onAction("run.stop", this, [this] { bench_.session.post(command::Stop{}); });
+  bench_.onAction("run.finish", this, [this] { finish(); });
   bench_.onAction("run.restart", this, [this] { restart(bench_.document.settings().seed); });
   bench_.onAction("run.restart-new-seed", this, [this] { restart(bench_.document.settings().seed + 1); });
   bench_.onAction("run.tuning", this, [this](bool tune) {
@@ -168,6 +170,7 @@ void RunController::connectActions() {
 void RunController::updateSession(Changes what) {
   const WorkbenchDocument& document = bench_.document;
   if (what & Change::Scenario) {
+    finishing_.reset();  // its settings belong to another scenario
     bench_.session.open(document.scenario());
   } else if (what & Change::Arrangement) {
     bench_.session.rearrange(document.scenario());
@@ -180,8 +183,22 @@ void RunController::updateSession(Changes what) {
 }
 
 void RunController::takeSnapshot(const SessionSnapshot& snapshot) {
-  bench_.document.setSettings({snapshot.plannerId, snapshot.seed, snapshot.parameters});
+  keepSettings(snapshot);
+  followFinish(snapshot);
+  followStrategy(snapshot);
   bench_.document.setResults({snapshot.path, snapshot.refused, snapshot.provenance, snapshot.smoothed});
+}
+
+/// Keeps the settings in the document. What a step by hand or a run that the computer finishes has changed is kept as
+/// it was before.
+void RunController::keepSettings(const SessionSnapshot& snapshot) {
+  RunSettings settings{snapshot.plannerId, snapshot.seed, finishing_.value_or(snapshot.parameters)};
+  if (bench_.document.isTemporary()) {
+    const RunSettings& before = bench_.document.settings();
+    settings.strategy = before.strategy;
+    (void)settings.parameters.set(ParameterId::Pace, before.parameters[ParameterId::Pace]);
+  }
+  bench_.document.setSettings(settings);
 }
 
 void RunController::showRun(const SnapshotPtr& snapshot) {
@@ -199,6 +216,7 @@ void RunController::enableActions(const SessionSnapshot* snapshot) {
   bench_.enable("run.start", live && !running);
   bench_.enable("run.pause", running);
   bench_.enable("run.stop", running);
+  bench_.enable("run.finish", running && snapshot->plannerId == "by-hand" && !finishing_);
   for (const char* id : {"run.restart", "run.restart-new-seed", "run.tuning", "object.to-start"}) {
     bench_.enable(id, live);
   }
@@ -223,6 +241,41 @@ void RunController::restart(std::uint64_t seed) {
     bench_.session.post(command::SetSeed{seed});
     bench_.session.post(command::Start{});
   });
+}
+
+void RunController::finish() {
+  finishing_ = bench_.session.snapshot()->parameters;
+  bench_.session.post(command::SetParameter{ParameterId::Pace, 0.0});
+  bench_.session.post(command::SetParameter{ParameterId::Alpha, 1.0});
+}
+
+void RunController::followFinish(const SessionSnapshot& snapshot) {
+  if (!finishing_ || isRunning(snapshot)) return;
+  const ParameterValues before = *std::exchange(finishing_, std::nullopt);
+  // Setting alpha ends its tuning, so that the tuning comes last.
+  for (const ParameterId id : {ParameterId::Alpha, ParameterId::Pace, ParameterId::Tuning}) setLater(id, before[id]);
+}
+
+void RunController::setLater(ParameterId id, double value) {
+  // A snapshot is being announced, and setting a parameter announces the next one.
+  QMetaObject::invokeMethod(
+      this,
+      [this, id, value] {
+        bench_.session.post(command::SetParameter{id, value});
+      },
+      Qt::QueuedConnection);
+}
+
+void RunController::followStrategy(const SessionSnapshot& snapshot) {
+  const std::string before = std::exchange(strategy_, snapshot.plannerId);
+  if (before == strategy_ || bench_.session.clock() == SessionClock::Lockstep) return;
+  const double pace = snapshot.parameters[ParameterId::Pace];
+  const double ofPerson = snapshot.parameters[ParameterId::StepsPerSecond];
+  if (strategy_ == "by-hand" && pace == 0.0) {
+    setLater(ParameterId::Pace, ofPerson);
+  } else if (before == "by-hand" && pace == ofPerson) {
+    setLater(ParameterId::Pace, 0.0);
+  }
 }
 
 void RunController::editRules() {

@@ -2,6 +2,9 @@
 
 #include <QLabel>
 
+#include <optional>
+#include <string>
+
 #include "widgets/run/counts_panel.h"
 #include "widgets/run/interaction_panel.h"
 #include "widgets/workbench/workbench.h"
@@ -25,10 +28,17 @@ class RunController final : public QObject {
   void updateSession(Changes what);
   /// Updates the document from the session.
   void takeSnapshot(const SessionSnapshot& snapshot);
+  void keepSettings(const SessionSnapshot& snapshot);
   void showRun(const SnapshotPtr& snapshot);
   void enableActions(const SessionSnapshot* snapshot);
   void chooseDevice(const std::string& id);
   void restart(std::uint64_t seed);
+  /// Gives the rest of the run to the computer, at full speed. Once the run has ended, the settings are as before.
+  void finish();
+  void setLater(ParameterId id, double value);
+  void followFinish(const SessionSnapshot& snapshot);
+  /// A run by hand goes at the pace of a person from the moment on at which this strategy is chosen.
+  void followStrategy(const SessionSnapshot& snapshot);
   /// Shows the rules of the strategy. Changed rules become the scenario's own.
   void editRules();
 
@@ -37,6 +47,8 @@ class RunController final : public QObject {
   CountsPanel* counts_;
   QLabel* status_;
   QLabel* elapsed_;
+  std::optional<ParameterValues> finishing_;  ///< settings of a run by hand that the computer finishes
+  std::string strategy_;                      ///< of the last snapshot
 };
 
 }  // namespace glissade

@@ -18,11 +18,11 @@ bool isGuided(const std::string& deviceId) {
 }  // namespace
 
 bool isMainStrategy(const std::string& plannerId) {
-  return plannerId == "auto" || plannerId == "interactive" || plannerId == "gts";
+  return plannerId == "auto" || plannerId == "by-hand" || plannerId == "gts";
 }
 
 std::string strategyWithHand(const std::string& plannerId, const std::string& deviceId) {
-  return plannerId == "auto" && deviceId != "none" ? "interactive" : plannerId;
+  return plannerId == "auto" && deviceId != "none" ? "by-hand" : plannerId;
 }
 
 std::set<ParameterId> parametersInUse(const PlannerEntry& strategy, const std::string& deviceId) {

@@ -21,9 +21,11 @@ const Pose& helpTarget(const HelpPicture& help);
 osg::ref_ptr<osg::Group> makeHelp(const HelpPicture& help, const LoadedScenario& scenario, BodyShapes& shapes,
                                   const ScenePalette& palette);
 
-/// Draws an arrow from the object to the target of the hand. Null if the object is there.
-osg::ref_ptr<osg::Group> makeHelpArrow(const HelpPicture& help, const Pose& q_device, const MarkScale& scale,
-                                       const ScenePalette& palette);
+/// Draws an arrow from the object along the passage, which the hand was moved to. It ends where the passage is in
+/// sight, at most half a radius ahead of the object. `sight`: a query of pointWorld(). Null before the hand was moved
+/// there, at the end, and where no part of the passage is in sight.
+osg::ref_ptr<osg::Group> makeHelpArrow(const HelpPicture& help, const Pose& q_device, double objectRadius,
+                                       CollisionQuery& sight, const MarkScale& scale, const ScenePalette& palette);
 
 /// Labels of the missing clearance at each place that is not open; that of the selected one is strong.
 std::vector<SceneLabel> helpLabels(const HelpPicture& help, double objectRadius);

@@ -74,7 +74,8 @@ inline void applyColours(const SceneColours& chosen, ScenePalette& palette) {
 
 /// Colour of a node: its author if a person took part in it, else its tree.
 inline osg::Vec4ub colourOf(const RoadmapNode& node, const ScenePalette& palette) {
-  if (node.author == Author::Operator) return palette.operatorNode;
+  if (node.author == Author::Operator || (node.author == Author::Computer && node.side == TreeSide::Hand))
+    return palette.operatorNode;
   if (node.author == Author::Contact) return palette.contactNode;
   return node.side == TreeSide::Start ? palette.startTree : palette.goalTree;
 }

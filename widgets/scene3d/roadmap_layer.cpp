@@ -192,7 +192,8 @@ void RoadmapLayer::takeEdge(const RoadmapEdge& edge) {
   addVertex(lines_, GL_LINES, from, colourOf(later, palette_));
   addVertex(lines_, GL_LINES, to, colourOf(later, palette_));
   lines_.back().length += (to - from).norm();
-  (later.side == TreeSide::Start ? content_.startTree : content_.goalTree) = true;
+  content_.startTree |= later.side == TreeSide::Start;
+  content_.goalTree |= later.side == TreeSide::Goal;
   edges_.push_back(edge);
   ++segmentsDrawn_;
 }

@@ -76,6 +76,7 @@ void SceneView::rearrange(std::shared_ptr<const LoadedScenario> scenario) {
   impl_->shownStep.reset();
   impl_->difficulty.reset();
   impl_->help = {};
+  impl_->sight.reset();
   impl_->refusal.reset();
   impl_->measure = {};
   impl_->reach = {};
@@ -235,6 +236,7 @@ void SceneView::setDifficulty(std::shared_ptr<const Difficulty> difficulty) {
 void SceneView::setHelp(HelpPicture help) {
   const std::lock_guard lock(*impl_->graphMutex);
   impl_->help = std::move(help);
+  impl_->sight.reset();
   impl_->showHelp();
   impl_->showMarks();
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 
+#include "engine/operator/guidance.h"
 #include "engine/planning/path_spacing.h"
 #include "widgets/scene3d/backdrop.h"
 #include "widgets/scene3d/body_layer.h"
@@ -70,6 +71,7 @@ struct SceneView::Impl {
   std::shared_ptr<const Difficulty> difficulty;
   HelpPicture help;
   osg::ref_ptr<osg::Group> helpArrow = new osg::Group;  ///< in the layer of help
+  std::unique_ptr<CollisionQuery> sight;                ///< of pointWorld(); null until there is help
   std::shared_ptr<const EndConflicts> refusal;
   std::vector<KeptPathPicture> keptPaths;
   MeasurePicture measure;
@@ -210,7 +212,10 @@ struct SceneView::Impl {
   void showHelpArrow(bool shown) {
     helpArrow->removeChildren(0, helpArrow->getNumChildren());
     if (!help.places || !shown) return;
-    const auto arrow = makeHelpArrow(help, snapshot->device.q_device, markScale(), palette);
+    const CollisionWorld& world = *scenario->problem.world;
+    if (!sight) sight = pointWorld(world)->makeQuery();
+    const Pose& q = snapshot->device.q_device;
+    const auto arrow = makeHelpArrow(help, q, world.objectRadius(), *sight, markScale(), palette);
     if (arrow) helpArrow->addChild(arrow);
   }
 
@@ -432,7 +437,8 @@ struct SceneView::Impl {
   void showGuidance() {
     if (!object || !snapshot) return;
     const bool shown = visible(SceneLayer::Guidance) && !playback && !snapshot->path;
-    fill(SceneLayer::Guidance, shown ? makeGuidance(snapshot->device, markScale(), palette) : nullptr);
+    const bool helps = help.places && help.taken;  // one arrow at a time
+    fill(SceneLayer::Guidance, shown && !helps ? makeGuidance(snapshot->device, markScale(), palette) : nullptr);
     const float strength = shown ? guidanceStrength(snapshot->device.guidance) : 0.0F;
     setBodyColour(*object, guidanceTint(toOsg(scenario->object.colour), strength, palette));
   }

@@ -85,6 +85,7 @@ SequenceController::SequenceController(const Workbench& bench)
     panel_->showBodies(bench_.document.semantics().selectedBodies());
     enableActions();
   });
+  connect(hand_, &SequenceHand::activityChanged, this, &SequenceController::enableActions);
   connectActions();
   enableActions();
   addSequenceCommands(bench, *this);

@@ -1,18 +1,27 @@
 #include "widgets/sequence/sequence_hand.h"
 
 #include <QAction>
+#include <QKeyEvent>
 #include <algorithm>
 
 #include "engine/files/hand_run.h"
+#include "engine/operator/device_registry.h"
 #include "engine/planning/smoothing/shortcuts.h"
 #include "engine/sequence/demand_conflicts.h"
 #include "engine/sequence/demand_edits.h"
+#include "engine/study/plan_tasks.h"
 #include "widgets/sequence/sequence_controller.h"
 #include "widgets/sequence/sequence_edits.h"
 
 namespace glissade {
 SequenceHand::SequenceHand(const Workbench& bench, SequenceController& sequence)
-    : QObject(&sequence), bench_(bench), sequence_(sequence) {
+    : QObject(&sequence),
+      bench_(bench),
+      sequence_(sequence),
+      banner_(new NoticeBar(bench.actions, bench.scene.widget(), kRoomForViewCube)) {
+  banner_->setObjectName(QStringLiteral("hand-banner"));
+  connect(banner_, &NoticeBar::closed, this, [this] { goBack({}); });
+  bench.scene.widget()->installEventFilter(this);  // tools that are in use take the Escape key before
   bench.onAction("sequence.by-hand", this, [this] { begin(); });
   bench.onAction("sequence.take-path", this, [this] { takePath(); });
   bench.onAction("sequence.leave-hand", this, [this] { goBack({}); });
@@ -60,24 +69,59 @@ bool SequenceHand::hasObject() const {
 void SequenceHand::noteBegun() {
   if (!run_ || run_->begun) return;
   if (!hasObject()) {  // the edit failed and was reported
-    run_.reset();
+    end();
   } else {
     run_->begun = true;
     bench_.document.semantics().select({});  // the marks of blocking bodies would hide the part in the hand
-    bench_.scene.widget()->setFocus();       // for the keys that move the part
-    sequence_.panel()->setNotice(tr("You move %1 by hand, among the parts that are present at its step. Find path (F5) "
-                                    "begins a run. Its certified "
-                                    "path becomes the step.")
-                                     .arg(nameOf(*run_)));
+    takeInHand();
+    showBanner();
+    bench_.scene.widget()->setFocus();  // for the keys that move the part
+    emit activityChanged();
   }
   enableActions();
+}
+
+void SequenceHand::takeInHand() {
+  const DeviceRegistry devices = makeDeviceRegistry();
+  const DeviceEntry* device = devices.find(bench_.session.deviceId());
+  if (device == nullptr || device->simulated) bench_.session.setDevice("hand");
+  run_->strategy = bench_.document.settings().strategy;
+  bench_.session.post(command::SetPlanner{"by-hand"});
+}
+
+void SequenceHand::showBanner() {
+  const QString name = nameOf(*run_);
+  QString title = tr("%1 by hand").arg(name);
+  if (run_->step) {
+    const std::string number = stepNumber(run_->plan.plan->steps.size() - 1 - *run_->step);
+    title = tr("Step %1 by hand: %2").arg(QString::fromStdString(number), name);
+  }
+  banner_->showNotice({title,
+                       tr("Find path (F5) begins a run. Its certified path becomes the step. Esc goes back."),
+                       {"sequence.take-path", "sequence.leave-hand", "run.finish"}});
+}
+
+bool SequenceHand::eventFilter(QObject* watched, QEvent* event) {
+  const bool escape = event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape;
+  if (!escape || !run_ || !run_->begun || goingBack_) return QObject::eventFilter(watched, event);
+  goBack({});
+  return true;
+}
+
+void SequenceHand::end() {
+  const std::string strategy = run_->strategy;
+  run_.reset();
+  banner_->hide();
+  if (!strategy.empty()) bench_.session.post(command::SetPlanner{strategy});
+  enableActions();
+  emit activityChanged();
 }
 
 void SequenceHand::followDocument(Changes what) {
   if (!run_) return;
   if (what & Change::Scenario) {
-    run_.reset();
-    sequence_.panel()->setNotice({});
+    run_->strategy.clear();  // another scenario has its own
+    end();
   } else if ((what & Change::Results) && run_->begun && bench_.document.results().path) {
     followPath();
   }
@@ -97,10 +141,8 @@ void SequenceHand::followPath() {
 /// Ends the run after a person has undone its scenario.
 void SequenceHand::followUndo() {
   if (!run_ || !run_->begun || goingBack_ || bench_.document.isTemporary()) return;
-  run_.reset();
-  sequence_.panel()->setNotice({});
+  end();
   sequence_.showRemembered();
-  enableActions();
 }
 
 void SequenceHand::goBack(const std::function<void()>& then) {
@@ -110,11 +152,9 @@ void SequenceHand::goBack(const std::function<void()>& then) {
   bench_.document.endTemporary();
   bench_.document.whenArranged([this, then] {
     goingBack_ = false;
-    run_.reset();
-    sequence_.panel()->setNotice({});
+    end();
     sequence_.bringToFront();  // the run had raised the panel of its path
     if (then) then();
-    enableActions();
   });
 }
 

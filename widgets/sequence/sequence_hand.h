@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "widgets/controls/notice_bar.h"
 #include "widgets/sequence/step_table.h"
 #include "widgets/workbench/workbench.h"
 
@@ -24,6 +25,13 @@ class SequenceHand final : public QObject {
   /// Whether the document has the scenario of the run, or will get it.
   bool isAway() const { return run_.has_value() && !goingBack_; }
 
+ signals:
+  /// A run by hand has begun or ended.
+  void activityChanged();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   struct Run {
     ShownPlan plan;                   ///< the plan of the moved parts
@@ -31,6 +39,7 @@ class SequenceHand final : public QObject {
     std::optional<std::size_t> step;  ///< index in the plan; nothing: the part was stuck
     bool begun = false;               ///< the document has the scenario of the run
     bool smoothing = false;           ///< the path is being smoothed
+    std::string strategy{};           ///< before the run
   };
 
   void begin();
@@ -43,13 +52,19 @@ class SequenceHand final : public QObject {
   void goBack(const std::function<void()>& then);
   void enableActions();
 
-  const Workbench& bench_;
-  SequenceController& sequence_;
+  /// Takes the part in the person's hand, with a strategy that uses it.
+  void takeInHand();
+  void showBanner();
+  /// Ends the run, whose scenario has ended.
+  void end();
   /// Name of the moved bodies for people.
   QString nameOf(const Run& run) const;
   /// Whether the document's object consists of the bodies of the run.
   bool hasObject() const;
 
+  const Workbench& bench_;
+  SequenceController& sequence_;
+  NoticeBar* banner_;
   std::optional<Run> run_;
   bool goingBack_ = false;
 };

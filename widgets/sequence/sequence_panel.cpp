@@ -172,11 +172,6 @@ void SequencePanel::setCost(const std::string& cost) {
   }
 }
 
-void SequencePanel::setNotice(const QString& notice) {
-  notice_ = notice;
-  summary_->setText(summary());
-}
-
 void SequencePanel::setPlan(const ShownPlan& shown) {
   const double before = time();
   const bool samePlan = shown_.plan && shown.plan && shown_.product == shown.product;
@@ -210,7 +205,6 @@ QString SequencePanel::leaving(const AssemblyPlan& plan) {
 }
 
 QString SequencePanel::summary() const {
-  if (!notice_.isEmpty()) return notice_;
   if (!shown_.product) return tr("No product is open.");
   if (!shown_.plan) return tr("Not planned yet.");
   const AssemblyPlan& plan = *shown_.plan;

@@ -25,8 +25,6 @@ class SequencePanel final : public QWidget {
   explicit SequencePanel(const ActionCatalogue& actions, QWidget* parent = nullptr);
 
   void setPlan(const ShownPlan& shown);
-  /// Shows a notice in place of the summary; empty: the summary.
-  void setNotice(const QString& notice);
   /// The cost of a step, as in SequenceDemands.
   void setCost(const std::string& cost);
   /// Pictures of parts are drawn before setPlan() returns, if set. It is off by default.
@@ -108,7 +106,6 @@ class SequencePanel final : public QWidget {
   QComboBox* cost_;
   QMenu* edits_;
   QMenu* demands_;
-  QString notice_;
   bool atOnce_ = false;
 };
 

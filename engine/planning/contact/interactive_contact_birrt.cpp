@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/base/tolerances.h"
+#include "engine/planning/path_certificate.h"
 
 namespace glissade {
 namespace {
@@ -21,11 +22,13 @@ InteractiveContactBirrt::InteractiveContactBirrt(const Problem& problem, std::ui
       randomShooter_(problem, seed),
       contactSampler_(seed),
       contactFollower_(problem.world->objectRadius(), seed),
+      trail_(problem),
       tuner_(problem.world->objectRadius()) {}
 
 bool InteractiveContactBirrt::solve(PlannerHost& host) {
   while (!path_) {
     const std::size_t edgesBefore = roadmap_.edges().size();
+    followHand(host);
     if (contactSamplesLeft_ > 0) {
       contactSampling(host);
     } else {
@@ -37,6 +40,12 @@ bool InteractiveContactBirrt::solve(PlannerHost& host) {
     if (!host.afterStep()) break;
   }
   return path_.has_value();
+}
+
+/// The way of the hand is a tree, whoever has authority.
+void InteractiveContactBirrt::followHand(PlannerHost& host) {
+  if (operatorUse_ != OperatorUse::GuideContactAndTrail) return;
+  if (const auto device = host.operatorSample()) trail_.follow(*device, roadmap_, *query_, host);
 }
 
 /// One pass of Algorithm 1; the numbers are its lines. Line 9 of the following passes is in solve().
@@ -57,6 +66,8 @@ void InteractiveContactBirrt::iterate(PlannerHost& host) {
       enterContactSampling(*device, host);
       contactSampling(host);  // line 9
     }
+  } else if (operatorUse_ == OperatorUse::GuideContactAndTrail && device && inForce.alpha <= 0.0) {
+    passStep(Author::Operator);  // the operator is alone, and shows nothing new
   } else {
     randomShooter(host);  // lines 12, 13
   }
@@ -65,6 +76,7 @@ void InteractiveContactBirrt::iterate(PlannerHost& host) {
 bool InteractiveContactBirrt::operatorHasAuthority(double a, double alpha,
                                                    const std::optional<OperatorSample>& device) {
   if (!device || a <= alpha) return false;
+  if (operatorUse_ == OperatorUse::GuideContactAndTrail && !trail_.handHasMoved()) return false;
   if (device->moves != restingAt_) {
     restingAt_ = device->moves;
     usedAtRest_ = 0;
@@ -102,6 +114,28 @@ void InteractiveContactBirrt::observeStep(std::size_t edgesBefore, PlannerHost& 
 std::optional<TuningReport> InteractiveContactBirrt::tuning() const {
   if (tuned_ == 0) return std::nullopt;
   return tuner_.report();
+}
+
+InteractiveContactBirrt::HandWay InteractiveContactBirrt::handWay(PlannerHost& host) {
+  while (trail_.longest()) {
+    const HandTrail::Stretch& shown = *trail_.longest();
+    const auto goal = std::find_if(goalRoots_.begin(), goalRoots_.end(),
+                                   [&](Node root) { return roadmap_.connected(root, shown.end); });
+    HandWay found;
+    found.fromStart = roadmap_.connected(startRoot_, shown.end);
+    found.toGoal = !found.fromStart && goal != goalRoots_.end();
+    const Node begun = roadmap_.connected(shown.beginning, shown.end) ? shown.beginning : shown.end;
+    const Node root = found.fromStart ? startRoot_ : found.toGoal ? *goal : begun;
+    const auto pieces = [&](Node node) { return roadmap_.way(root, node)->edges.size(); };
+    const Node farther = pieces(begun) > pieces(shown.end) ? begun : shown.end;
+    const auto way = found.toGoal ? roadmap_.way(farther, root) : roadmap_.way(root, farther);
+    found.points = pointsOf(*way);
+    const auto refused = firstRefusedEdge(*query_, found.points, host.parameters(), host.stopToken());
+    if (!refused) return found;
+    if (way->edges.empty() || host.stopToken().stopRequested()) break;
+    roadmap_.dropEdge(way->edges[refused->edge]);
+  }
+  return {};
 }
 
 void InteractiveContactBirrt::contactSampling(PlannerHost& host) {

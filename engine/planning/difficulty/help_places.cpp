@@ -58,33 +58,48 @@ HelpPlace placeAt(const Problem& problem, const GrownTrees& trees, const TreeGap
   return place;
 }
 
-/// The configuration of the tree of that side that is nearest to q. Precondition: the tree is not empty.
-Pose nearestOf(const GrownTrees& trees, TreeSide side, const Pose& q, const Se3Metric& metric) {
+/// The configurations of the trees of one side.
+NearestNeighbours treesOf(TreeSide side, const GrownTrees& trees, const Se3Metric& metric) {
   NearestNeighbours known(metric);
   for (std::uint32_t node = 0; node < trees.nodes.size(); ++node) {
     if (trees.nodes[node].side == side) known.add(node, trees.nodes[node].q);
   }
-  return trees.nodes[known.nearest(q)->index].q;
+  return known;
 }
 
-/// The place with the configurations of the trees that are nearest to the deepest configuration of a way.
-HelpPlace placeOnWay(const GrownTrees& trees, const Se3Metric& metric, const LeastPenetration& least) {
+/// The part of a whole way about its deepest configuration that leads from the start's trees to the goal's. It begins
+/// at the last configuration before the deepest one from which the nearest one of the start's trees is reached by a
+/// straight motion, and ends so at the goal's trees.
+HelpPlace placeOnWay(const GrownTrees& trees, const Problem& problem, double required, const LeastPenetration& least) {
+  const Se3Metric metric = problem.metric();
+  const auto query = problem.world->makeQuery();
+  const auto& way = least.way;
+  const NearestNeighbours starts = treesOf(TreeSide::Start, trees, metric);
+  const NearestNeighbours goals = treesOf(TreeSide::Goal, trees, metric);
+  const auto nearestIn = [&](const NearestNeighbours& known, std::size_t i) -> const Pose& {
+    return trees.nodes[known.nearest(way[i])->index].q;
+  };
+  const auto isReached = [&](const NearestNeighbours& known, std::size_t i) {
+    return query->checkMotion(nearestIn(known, i), way[i], required, SeekViolation::Any, {}).status ==
+           CertificateStatus::Certified;
+  };
+  const auto deepest = std::min_element(way.begin(), way.end(), [&](const Pose& a, const Pose& b) {
+    return metric.distance(a, least.q) < metric.distance(b, least.q);
+  });
+  std::size_t first = static_cast<std::size_t>(deepest - way.begin());
+  std::size_t last = first;
+  while (first > 0 && !isReached(starts, first)) --first;
+  while (last + 1 < way.size() && !isReached(goals, last)) ++last;
   HelpPlace place;
-  place.fromStart = nearestOf(trees, TreeSide::Start, least.q, metric);
-  place.fromGoal = nearestOf(trees, TreeSide::Goal, least.q, metric);
+  place.fromStart = nearestIn(starts, first);
+  place.fromGoal = nearestIn(goals, last);
   place.distance = metric.distance(place.fromStart, place.fromGoal);
   place.narrowest = least.q;
   place.body = least.body;
   place.lacking = least.depth;
-  const auto nearest = [&](const Pose& q) {
-    return std::min_element(least.way.begin(), least.way.end(), [&](const Pose& a, const Pose& b) {
-      return metric.distance(a, q) < metric.distance(b, q);
-    });
-  };
-  const auto first = nearest(place.fromStart);
-  const auto last = nearest(place.fromGoal);
   place.passage = {place.fromStart};
-  if (first <= last) place.passage.insert(place.passage.end(), first, last + 1);
+  place.passage.insert(place.passage.end(), way.begin() + static_cast<std::ptrdiff_t>(first),
+                       way.begin() + static_cast<std::ptrdiff_t>(last) + 1);
   place.passage.push_back(place.fromGoal);
   return place;
 }
@@ -108,7 +123,9 @@ std::vector<HelpPlace> helpPlaces(const Problem& problem, const std::vector<Road
     const WorkWatch part = watch.part(share(i), share(i + 1));
     places.push_back(placeAt(problem, trees, found[i], parameters, seed, budget, part));
   }
-  if (wholeWay && !found.empty()) places.push_back(placeOnWay(trees, metric, *wholeWay));
+  if (wholeWay && !found.empty()) {
+    places.push_back(placeOnWay(trees, problem, parameters[ParameterId::RequiredClearance], *wholeWay));
+  }
   const auto better = [](const HelpPlace& a, const HelpPlace& b) { return leastOf(a) < leastOf(b); };
   std::stable_sort(places.begin(), places.end(), better);
   return places;

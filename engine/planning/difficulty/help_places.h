@@ -15,7 +15,8 @@ struct HelpPlace {
   Pose fromGoal;          ///< nearest configuration of the goal's tree
   double distance = 0.0;  ///< distance between them in the metric, metres
   /// The passage from `fromStart` to `fromGoal`, for an object that is thinner by `lacking`. For a place on a whole
-  /// way, the first and the last motion connect the trees with that way, and may be blocked.
+  /// way, the first and the last motion connect the trees with that way. They are free unless the way itself is blocked
+  /// at its ends.
   std::vector<Pose> passage;
   Pose narrowest;  ///< the configuration of the passage with the largest penetration
   int body = -1;   ///< the obstacle there; -1: none
@@ -33,13 +34,13 @@ inline bool isOpen(const HelpPlace& place, double objectRadius) {
 inline constexpr std::size_t kHelpGaps = 3;
 /// Budget for the passage of one gap, and for a whole way.
 inline constexpr PenetrationBudget kGapBudget{6'000, 10'000, 16};
-inline constexpr PenetrationBudget kWholeWayBudget{20'000, 10'000, 16};
+inline constexpr PenetrationBudget kWholeWayBudget{100'000, 50'000, 16};
 
 /// The places where a search is stuck. A gap is a pair of nearest configurations of both trees; at most `gaps` gaps are
 /// taken whose beginnings are not near each other. Where a way of least penetration from start to goal is known, the
-/// configurations of both trees nearest to its deepest one are added. The places are sorted by the missing clearance,
-/// then by the distance of the trees. `edges` has no dropped edges. Bounded by work, not by time. After a stop, the
-/// places known so far are returned. Called on any thread.
+/// part of it about its deepest configuration is added, from tree to tree. The places are sorted by the missing
+/// clearance, then by the distance of the trees. `edges` has no dropped edges. Bounded by work, not by time. After a
+/// stop, the places known so far are returned. Called on any thread.
 std::vector<HelpPlace> helpPlaces(const Problem& problem, const std::vector<RoadmapNode>& nodes,
                                   const std::vector<RoadmapEdge>& edges, const ParameterValues& parameters,
                                   std::uint64_t seed, const std::optional<LeastPenetration>& wholeWay,

@@ -7,12 +7,20 @@
 
 #include "engine/files/scenario_io.h"
 #include "engine/geometry/triangle_mesh.h"
+#include "tests/engine/support/directories.h"
 
 namespace glissade::test {
 
 /// The scenario with its bodies; fails the test where it cannot be loaded.
 inline LoadedScenario loadedFrom(const Scenario& scenario) {
   auto loaded = loadGeometry(scenario, ".", "");
+  EXPECT_TRUE(loaded.ok()) << toString(loaded.error());
+  return std::move(*loaded);
+}
+
+/// A scenario of the samples; fails the test where it cannot be loaded.
+inline LoadedScenario loadedSample(const std::string& name) {
+  auto loaded = loadScenario(sourceDirectory() + "/samples/" + name + "/scenario.json");
   EXPECT_TRUE(loaded.ok()) << toString(loaded.error());
   return std::move(*loaded);
 }

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/engine/support/forbidden_boxes.h"
 #include "tests/engine/support/random_pose.h"
+#include "tests/engine/support/test_worlds.h"
 
 namespace glissade {
 namespace {
@@ -62,6 +64,55 @@ TEST(AheadOnWay, RunsAheadOfTheNearestPointAndStopsAtTheEnd) {
   EXPECT_TRUE(at({2.0, 0.8, 0.0}, 0.5)->position.isApprox(Vector3(1.0, 1.0, 0.0)));
   EXPECT_FALSE(aheadOnWay({}, Pose(), metric, 0.5));
   EXPECT_EQ(*aheadOnWay({way[1]}, Pose(), metric, 0.5), way[1]);
+}
+
+/// A channel with two bends between boxes, and a way along its middle.
+struct Channel {
+  std::vector<Box3> walls{{Vector3(-0.5, 0.2, -1), Vector3(1.8, 2.2, 1)},
+                          {Vector3(2.2, -0.5, -1), Vector3(3, 2, 1)},
+                          {Vector3(-0.5, -1, -1), Vector3(3, -0.2, 1)}};
+  std::vector<Pose> way{Pose::translation({0, 0, 0}), Pose::translation({2, 0, 0}), Pose::translation({2, 2.4, 0}),
+                        Pose::translation({4, 2.4, 0})};
+
+  CollisionWorldPtr world() const {
+    std::vector<RigidBody> bodies;
+    for (const Box3& wall : walls) bodies.push_back(boxBody("wall", wall.sizes(), Pose::translation(wall.center())));
+    return CollisionWorld::build(bodies, std::make_shared<const TriangleMesh>(makeBox({0.3, 0.3, 0.3})));
+  }
+};
+
+TEST(AheadInSight, TheLineToItMeetsNoWall) {
+  const Channel channel;
+  const CollisionWorldPtr world = channel.world();
+  const auto sight = pointWorld(*world)->makeQuery();
+  const Se3Metric metric(world->objectRadius());
+  RandomStream stream(1, "hands");
+  int around = 0;
+  for (int i = 0; i < 2000; ++i) {
+    Pose q = randomPose(stream, 0.9);
+    q.position += Vector3(2.0, 1.0, 0.0);
+    const auto meetsWall = [&](const Pose& to) {
+      return std::any_of(channel.walls.begin(), channel.walls.end(),
+                         [&](const Box3& wall) { return test::meetsBox(q.position, to.position, wall, 0.0); });
+    };
+    if (meetsWall(q)) continue;
+    const double ahead = stream.uniform(0.1, 3.0);
+    const auto target = aheadInSight(channel.way, q, metric, ahead, *sight);
+    ASSERT_TRUE(target);
+    EXPECT_FALSE(meetsWall(*target));
+    around += meetsWall(*aheadOnWay(channel.way, q, metric, ahead)) ? 1 : 0;
+  }
+  EXPECT_GT(around, 50);
+}
+
+TEST(AheadInSight, BehindAWallNothingIsInSight) {
+  const Channel channel;
+  const CollisionWorldPtr world = channel.world();
+  const auto sight = pointWorld(*world)->makeQuery();
+  const Se3Metric metric(world->objectRadius());
+  EXPECT_FALSE(aheadInSight(channel.way, Pose::translation({1.0, -1.5, 0.0}), metric, 0.5, *sight));
+  // A hub's reference point may be in the axle that it turns on.
+  EXPECT_TRUE(aheadInSight(channel.way, Pose::translation({1.0, -0.5, 0.0}), metric, 0.5, *sight));
 }
 
 }  // namespace
