@@ -16,8 +16,8 @@
 
 #include "app/window/main_window.h"
 #include "engine/import/mesh_import.h"
-#include "tests/app/unseen_scene.h"
 #include "tests/engine/support/directories.h"
+#include "tests/widgets/scene3d/unseen_scene.h"
 #include "widgets/product/parts_dialog.h"
 
 namespace glissade {

@@ -10,8 +10,8 @@
 
 #include "app/window/main_window.h"
 #include "app/window/theme.h"
-#include "tests/app/unseen_scene.h"
 #include "tests/engine/support/directories.h"
+#include "tests/widgets/scene3d/unseen_scene.h"
 #include "widgets/workbench/preferences.h"
 
 namespace glissade::test {

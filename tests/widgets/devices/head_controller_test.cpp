@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "tests/app/fake_head_tracker.h"
 #include "tests/app/whole_window.h"
+#include "tests/widgets/devices/fake_head_tracker.h"
 #include "widgets/scene3d/camera_controller.h"
 
 namespace glissade {

@@ -5,7 +5,7 @@
 #include <QSignalSpy>
 
 #include "app/window/window_actions.h"
-#include "tests/app/joint_parts.h"
+#include "tests/widgets/contacts/joint_parts.h"
 
 namespace glissade {
 namespace {

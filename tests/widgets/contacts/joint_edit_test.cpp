@@ -7,7 +7,7 @@
 
 #include "app/window/main_window.h"
 #include "engine/files/scenario_io.h"
-#include "tests/app/unseen_scene.h"
+#include "tests/widgets/scene3d/unseen_scene.h"
 
 namespace glissade {
 namespace {

@@ -14,8 +14,8 @@
 #include <iostream>
 
 #include "app/window/window_actions.h"
-#include "tests/app/unseen_scene.h"
 #include "tests/engine/operator/fake_spacenav_daemon.h"
+#include "tests/widgets/scene3d/unseen_scene.h"
 #include "widgets/scene3d/camera_controller.h"
 
 namespace glissade {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/app/joint_parts.h"
+#include "tests/widgets/contacts/joint_parts.h"
 #include "widgets/contacts/joint_draft.h"
 
 namespace glissade {

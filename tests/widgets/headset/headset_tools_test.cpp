@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "tests/app/said_headset.h"
 #include "tests/app/whole_window.h"
+#include "tests/widgets/headset/said_headset.h"
 #include "widgets/controls/plain_message_box.h"
 #include "widgets/devices/device_settings.h"
 #include "widgets/headset/headset_panel_controller.h"

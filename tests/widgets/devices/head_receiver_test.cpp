@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-#include "tests/app/fake_head_tracker.h"
+#include "tests/widgets/devices/fake_head_tracker.h"
 
 namespace glissade {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <QStatusBar>
 
-#include "tests/app/said_headset.h"
 #include "tests/app/whole_window.h"
+#include "tests/widgets/headset/said_headset.h"
 
 namespace glissade {
 namespace {
