@@ -14,7 +14,8 @@ namespace glissade {
 std::string partPathOf(const Occurrence& occurrence);
 
 /// The occurrences, with the solids of each part within a node (empty: all) joined. Shapes of a part that are no closed
-/// solids remain separate; beside them, the joined solids have the name of the part. Precondition: the solids of one part are adjacent. Equal parts still share a mesh.
+/// solids remain separate; beside them, the joined solids have the name of the part. Precondition: the solids of one
+/// part are adjacent. Equal parts still share a mesh.
 std::vector<Occurrence> withPartsAsOne(const std::vector<Occurrence>& solids, const std::string& node);
 /// As before, but for the parts with these paths, which remain their solids.
 std::vector<Occurrence> withPartsAsOne(const std::vector<Occurrence>& solids, const std::set<std::string>& opened);
