@@ -40,7 +40,7 @@ TEST(AssemblyEdits, PutBodiesAndEndsSomewhere) {
   }
   scenario.goal = GoalOut{};
   EXPECT_FALSE(poseOf(scenario, kGoal));
-  expectRefused(swapEnds(scenario), "out");
+  expectRefused(swapEnds(scenario), "has no position");
   expectRefused(place({AssemblyItem::Kind::Body, "nobody"}, there, scenario), "no such body");
   expectRefused(place(kStart, Pose::translation({std::nan(""), 0, 0}), scenario), "position in space");
 }

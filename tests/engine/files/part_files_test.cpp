@@ -240,7 +240,7 @@ TEST(WithParts, RefusesWhatItCannotAdd) {
   const Scenario scenario = scenarioOf(product);
   expectRefused(withParts(scenario, "", {}), ErrorKind::Usage, "", "no part");
   expectRefused(withParts(scenario, "", {partOf(product.tray, PartRole::Moves)}), ErrorKind::Usage, "tray.obj",
-                "object");
+                "moving part");
   expectRefused(withParts(scenario, "", {partOf(product.folder / "gone.obj")}), ErrorKind::MalformedInput, "gone.obj",
                 "No such file");
 }

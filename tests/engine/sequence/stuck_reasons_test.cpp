@@ -91,7 +91,7 @@ TEST(StuckReasons, APartOfSolidsThatDoNotTouchMayBeOpened) {
     const AssemblyPlan plan = plainPlanOf(product);
     ASSERT_EQ(plan.stuck.size(), 1U);
     const auto isReported = HasSubstr(
-        "; 'sunk' is one part of 2 solids that do not touch each other: take these as parts "
+        "; 'sunk' is one part of 2 solids that do not touch each other: split it "
         "(--open \"sunk\", ");
     const bool isNamed = testing::Value(toString(plan.stuck[0].reason), isReported);
     EXPECT_EQ(isNamed, isOfCadFile) << toString(plan.stuck[0].reason);  // a mesh cannot be opened

@@ -177,7 +177,7 @@ TEST(PlanGraph, StuckPartsHaveArrowsFromWhatBlocksThem) {
   const std::string svg = planGraphSvg(somePlan(), test::lockedDrawer(), StudyWords(Language::French));
   EXPECT_EQ(countOf("stroke-dasharray", svg), 1U);
   EXPECT_NE(svg.find("drawer (coincée)"), std::string::npos);
-  EXPECT_NE(svg.find("cabinet (reste)"), std::string::npos);
+  EXPECT_NE(svg.find("cabinet (base)"), std::string::npos);
 }
 
 std::size_t headings(const Report& report) {
