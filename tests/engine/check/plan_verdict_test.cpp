@@ -245,7 +245,7 @@ TEST_F(PlanOfLines, CountsFlexibleBodiesWithoutAProof) {
   EXPECT_TRUE(judged.valid()) << whyNot(judged, product);
   EXPECT_EQ(judged.stepsWithoutProof(), 1U);
   EXPECT_EQ(judged.validSteps(), 1U);
-  EXPECT_NE(whyNot(judged, product).find("step 1.1 (pin): nothing is certified"), std::string::npos);
+  EXPECT_NE(whyNot(judged, product).find("step 1.1 (pin): its motion has no certificate"), std::string::npos);
 
   belt.certified = true;
   EXPECT_FALSE(verdict().valid()) << "a flexible body cannot be certified";
