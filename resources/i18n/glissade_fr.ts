@@ -2435,7 +2435,7 @@
         <translation>transparence rayons x</translation>
     </message>
     <message>
-        <source>Finish &amp;for me</source>
+        <source>Finish for &amp;me</source>
         <translation>&amp;Finir à ma place</translation>
     </message>
     <message>

@@ -66,7 +66,7 @@ std::vector<ActionSpec> runActions() {
        .place = {"menu.plan", 1, 30},
        .button = QT_TRANSLATE_NOOP("Actions", "Stop")},
       {.id = "run.finish",
-       .text = QT_TRANSLATE_NOOP("Actions", "Finish &for me"),
+       .text = QT_TRANSLATE_NOOP("Actions", "Finish for &me"),
        .key = "Ctrl+F5",
        .tip = QT_TRANSLATE_NOOP("Actions",
                                 "Let the computer finish the run at full speed, from what your hand has reached"),
