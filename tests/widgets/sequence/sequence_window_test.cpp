@@ -310,11 +310,11 @@ TEST_F(SequenceWindow, TheWorkInstructionIsInTheLanguageOfTheWindow) {
 }
 
 TEST_F(SequenceWindow, AHandIsShownAtTheStepsAndTheTableSaysWhichItReaches) {
-  expectGood(
-      runOnStand(QStringLiteral("expect-access none\nplan-sequence all\naction access.sequence\nexpect-access %1\n"
-                                "expect-row 6 reachable\nshow-step 6\nscreenshot %2\naction access.show\nscreenshot %3\n"
-                                "action access.show\naction access.next\naction access.small\nexpect-access %1\n")
-                     .arg(QString::number(kReached), file("hand.png"), file("no-hand.png"))));
+  expectGood(runOnStand(
+      QStringLiteral("expect-access none\nplan-sequence all\naction access.sequence\nexpect-access %1\n"
+                     "expect-row 6 reachable\nshow-step 6\nscreenshot %2\naction access.show\nscreenshot %3\n"
+                     "action access.show\naction access.next\naction access.small\nexpect-access %1\n")
+          .arg(QString::number(kReached), file("hand.png"), file("no-hand.png"))));
   EXPECT_GT(difference(QImage(file("hand.png")), QImage(file("no-hand.png"))).share, 0.01);
   expectLike(file("hand.png"), QStringLiteral("sequence-access"));
 }
