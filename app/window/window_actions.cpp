@@ -2,24 +2,55 @@
 
 #include <iterator>
 
-#include "app/window/shell_actions.h"
-#include "widgets/arrange/arrange_actions.h"
-#include "widgets/contacts/contacts_actions.h"
-#include "widgets/devices/devices_actions.h"
-#include "widgets/files/files_actions.h"
-#include "widgets/headset/headset_actions.h"
-#include "widgets/help/help_actions.h"
-#include "widgets/measure/measure_actions.h"
-#include "widgets/paths/paths_actions.h"
-#include "widgets/places/places_actions.h"
-#include "widgets/product/product_actions.h"
-#include "widgets/run/run_actions.h"
-#include "widgets/section/section_actions.h"
-#include "widgets/sequence/sequence_actions.h"
-#include "widgets/studies/studies_actions.h"
-#include "widgets/view/view_actions.h"
+#include "widgets/workbench/feature_actions.h"
 
 namespace glissade {
+namespace {
+
+/// The actions of the window itself.
+std::vector<ActionSpec> shellActions() {
+  return {
+      {.id = "file.quit",
+       .text = QT_TRANSLATE_NOOP("Actions", "&Quit"),
+       .key = "Ctrl+Q",
+       .tip = QT_TRANSLATE_NOOP("Actions", "Quit Glissade"),
+       .place = {"menu.file", 5, 10}},
+      {.id = "edit.context-menu",
+       .text = QT_TRANSLATE_NOOP("Actions", "Open the context &menu"),
+       .key = "Shift+F10",
+       .tip = QT_TRANSLATE_NOOP("Actions", "Open the menu of what is selected in the scene or in the table in use"),
+       .place = {"menu.edit", 2, 10}},
+      {.id = "edit.preferences",
+       .text = QT_TRANSLATE_NOOP("Actions", "&Preferences..."),
+       .key = "Ctrl+,",
+       .tip = QT_TRANSLATE_NOOP("Actions", "Language, theme, font size, unit of lengths, navigation, colours"),
+       .place = {"menu.edit", 3, 20},
+       .synonyms = QT_TRANSLATE_NOOP("Actions", "options settings")},
+      {.id = "view.dark",
+       .text = QT_TRANSLATE_NOOP("Actions", "Dark &theme"),
+       .key = "Ctrl+D",
+       .tip = QT_TRANSLATE_NOOP("Actions", "Light texts on a dark background"),
+       .place = {"menu.view", 4, 30},
+       .checkable = true},
+      {.id = "view.reset-layout",
+       .text = QT_TRANSLATE_NOOP("Actions", "&Reset the layout"),
+       .tip = QT_TRANSLATE_NOOP("Actions", "Restore the default layout of the panels"),
+       .place = {"menu.panels", 1, 10},
+       .synonyms = QT_TRANSLATE_NOOP("Actions", "undock dock floating panels windows")},
+      {.id = "panel.scene",
+       .text = QT_TRANSLATE_NOOP("Actions", "S&cene panel"),
+       .key = "Alt+1",
+       .tip = QT_TRANSLATE_NOOP("Actions", "Bring the list of bodies to the front"),
+       .place = {"menu.go", 1, 10}},
+      {.id = "panel.log",
+       .text = QT_TRANSLATE_NOOP("Actions", "&Log panel"),
+       .key = "Ctrl+Alt+L",
+       .tip = QT_TRANSLATE_NOOP("Actions", "Bring the log of messages to the front"),
+       .place = {"menu.go", 2, 70}},
+  };
+}
+
+}  // namespace
 
 std::vector<ActionSpec> windowActions() {
   std::vector<ActionSpec> all;

@@ -63,8 +63,8 @@ bool isOneOf(const Occurrences& shapes, const std::string& path) {
 }
 
 /// The shapes of the file: each part as one, or as its solids if one of them is named.
-Occurrences shapesOf(const PartFile& named, const Occurrences& solids, const std::vector<Claim>& claims) {
-  const Occurrences asOne = withPartsAsOne(solids, std::set<std::string>());
+Occurrences shapesOf(const PartFile& named, const Occurrences& solids, const Occurrences& asOne,
+                     const std::vector<Claim>& claims) {
   const auto isOpen = [&](const std::string& part) {
     return std::any_of(claims.begin(), claims.end(), [&](const Claim& claim) {
       return claim.node.size() > part.size() && isWithin(claim.node, part) && !isOneOf(asOne, claim.node) &&
@@ -75,7 +75,7 @@ Occurrences shapesOf(const PartFile& named, const Occurrences& solids, const std
   for (const Occurrence& solid : solids) {
     if (solid.isSolidOfPart && isOpen(partPathOf(solid))) opened.insert(partPathOf(solid));
   }
-  return withPartsAsOne(solids, opened);
+  return opened.empty() ? asOne : withPartsAsOne(solids, opened);
 }
 
 /// The names of the steps of a node, as in Occurrence::names.
@@ -111,6 +111,7 @@ Result<std::vector<PartFile>> oneEntryEach(const std::vector<PartFile>& parts, c
                                            const StopToken& stop) {
   std::vector<PartFile> named = parts;
   std::vector<Occurrences> solids(parts.size());
+  std::vector<Occurrences> asOne(parts.size());
   std::vector<Claim> claims = claimsOf(scenario, scenarioFile);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (!isCadFile(parts[i].path) && !parts[i].groups) continue;
@@ -120,14 +121,14 @@ Result<std::vector<PartFile>> oneEntryEach(const std::vector<PartFile>& parts, c
     const auto geometry = readPart(whole, read, stop);
     if (!geometry) return geometry.error();
     solids[i] = (*geometry)->parts;
-    const Occurrences asOne = withPartsAsOne(solids[i], std::set<std::string>());
+    asOne[i] = withPartsAsOne(solids[i], std::set<std::string>());
     // A name is that of a part, as 'info' lists them, else that of a solid.
-    auto node = nodeNamed(parts[i].part, treeOf(asOne), parts[i].path);
+    auto node = nodeNamed(parts[i].part, treeOf(asOne[i]), parts[i].path);
     if (!node) node = nodeNamed(parts[i].part, treeOf(solids[i]), parts[i].path);
     if (!node) return node.error();
-    const bool isJoined = isOneOf(asOne, *node) && !isOneOf(solids[i], *node);
+    const bool isJoined = isOneOf(asOne[i], *node) && !isOneOf(solids[i], *node);
     named[i].part = *node;
-    named[i].names = namesAt(*node, isJoined ? asOne : solids[i]);
+    named[i].names = namesAt(*node, isJoined ? asOne[i] : solids[i]);
     named[i].asOne = isJoined || std::any_of(solids[i].begin(), solids[i].end(), [&](const Occurrence& solid) {
                        return solid.isSolidOfPart && isWithin(partPathOf(solid), *node);
                      });
@@ -135,7 +136,7 @@ Result<std::vector<PartFile>> oneEntryEach(const std::vector<PartFile>& parts, c
   }
   std::vector<PartFile> entries;
   for (std::size_t i = 0; i < named.size(); ++i) {
-    const Occurrences shapes = shapesOf(named[i], solids[i], claims);
+    const Occurrences shapes = shapesOf(named[i], solids[i], asOne[i], claims);
     if (named[i].role == PartRole::Moves || shapes.size() <= 1) {
       entries.push_back(named[i]);
       continue;

@@ -181,13 +181,14 @@ Result<std::vector<Occurrence>> chosenParts(const std::vector<Occurrence>& solid
   std::vector<Occurrence> named = solids;
   const std::set<std::string> planBodies(choice.planBodies.begin(), choice.planBodies.end());
   takeFormerPaths(planBodies, named);
-  std::set<std::string> asOne;
-  for (const Occurrence& part : withPartsAsOne(named, std::set<std::string>())) asOne.insert(part.path);
+  std::vector<Occurrence> asOne = withPartsAsOne(named, std::set<std::string>());
+  std::set<std::string> joined;
+  for (const Occurrence& part : asOne) joined.insert(part.path);
   std::set<std::string> opened;
   std::vector<ProductBody> bodies;
   for (const Occurrence& solid : named) {
     bodies.push_back({solid.path, {solid.path, solid.names}});
-    const bool isOfPlan = planBodies.count(solid.path) > 0 && asOne.count(solid.path) == 0;
+    const bool isOfPlan = planBodies.count(solid.path) > 0 && joined.count(solid.path) == 0;
     if (solid.isSolidOfPart && isOfPlan) opened.insert(partPathOf(solid));
   }
   const Product tree(bodies);
@@ -202,7 +203,7 @@ Result<std::vector<Occurrence>> chosenParts(const std::vector<Occurrence>& solid
                       {GLISSADE_TEXT("names '%1', which is no part of several solids"), {name}},
                       GLISSADE_TEXT("See 'glissade-cli info' for the names.")};
   }
-  return withPartsAsOne(named, opened);
+  return opened.empty() ? std::move(asOne) : withPartsAsOne(named, opened);
 }
 
 }  // namespace glissade

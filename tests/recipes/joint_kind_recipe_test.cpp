@@ -117,7 +117,7 @@ JointEdit editOf(JointKind kind, JointEdit::Word word) {
 using Words = std::tuple<std::vector<std::string>, std::vector<std::vector<std::string>>, std::set<std::string>,
                          std::set<std::string>, std::vector<std::pair<std::string, std::string>>>;
 
-/// What the judge is told about joints.
+/// The statements about joints that the judge reads, as sorted texts.
 Words toldWords(const check::JointWords& words, const std::vector<check::SnapWord>& snaps,
                 const check::PartingWords& partings) {
   std::set<std::string> pitches;

@@ -31,7 +31,7 @@ void expectFrench(const Message& text, const std::string& where) {
   EXPECT_TRUE(text.empty() || hasFrench(text.text)) << where << " has no French: " << text.text;
 }
 
-/// Also where a text is made without GLISSADE_TEXT.
+/// A text of a table that is made without GLISSADE_TEXT has no French, and fails here.
 TEST(MessageRecipe, EveryEntryOfATableHasFrench) {
   for (const auto make : {makePlannerRegistry, makeLocalPlannerRegistry}) {
     const PlannerRegistry registry = make();

@@ -102,7 +102,7 @@ TEST_F(RecipesDocument, FilesExist) {
     for (std::string path : withoutBraces(code)) {
       ++seen;
       if (path.ends_with("/")) path.pop_back();
-      // What the reader is to write: its folder exists.
+      // The reader writes this file, so only its folder exists.
       for (const char* own : {"NAME", "FEATURE", "ID", "gpu"}) {
         while (path.find(own) != std::string::npos) path = path.substr(0, path.rfind('/'));
       }

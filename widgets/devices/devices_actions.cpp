@@ -1,4 +1,4 @@
-#include "widgets/devices/devices_actions.h"
+#include "widgets/workbench/feature_actions.h"
 
 namespace glissade {
 

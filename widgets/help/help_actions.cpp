@@ -1,4 +1,4 @@
-#include "widgets/help/help_actions.h"
+#include "widgets/workbench/feature_actions.h"
 
 namespace glissade {
 

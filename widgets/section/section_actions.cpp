@@ -1,4 +1,4 @@
-#include "widgets/section/section_actions.h"
+#include "widgets/workbench/feature_actions.h"
 
 namespace glissade {
 

@@ -1,4 +1,4 @@
-#include "widgets/studies/studies_actions.h"
+#include "widgets/workbench/feature_actions.h"
 
 namespace glissade {
 

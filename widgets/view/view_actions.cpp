@@ -1,4 +1,4 @@
-#include "widgets/view/view_actions.h"
+#include "widgets/workbench/feature_actions.h"
 
 namespace glissade {
 

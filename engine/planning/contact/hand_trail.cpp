@@ -16,7 +16,7 @@ constexpr double kPiece = 0.1;
 
 }  // namespace
 
-/// What one call of follow() works on.
+/// The arguments of follow(), for its parts.
 struct HandTrail::Growth {
   const Box3& bounds;
   RoadmapGraph& roadmap;
