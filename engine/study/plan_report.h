@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/model/missing_shape.h"
 #include "engine/study/plan_timing.h"
 #include "engine/study/plan_words.h"
 #include "engine/study/report.h"

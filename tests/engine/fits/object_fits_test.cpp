@@ -305,7 +305,7 @@ TEST(ObjectFits, TheBodyWithTheHoleGivesWay) {
   EXPECT_FALSE(fit.yields);
   EXPECT_EQ(fit.role, Fit::Role::Hole);
   const std::string words = toString(inWords(fit, "plate", "screw"));
-  EXPECT_EQ(words.find("plate taken"), 0U) << words;
+  EXPECT_EQ(words.find("plate, "), 0U) << words;
   std::vector<RigidBody> others{product.bodies[1], product.bodies[2]};
   Fit moved = fit;
   moved.obstacle = 1;
