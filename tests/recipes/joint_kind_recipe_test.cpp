@@ -5,10 +5,10 @@
 #include <set>
 
 #include "engine/check/stated_json.h"
+#include "engine/documents/instruction/instruction_words.h"
+#include "engine/documents/plan_words.h"
 #include "engine/files/joints_json.h"
 #include "engine/files/judged_product.h"
-#include "engine/study/instruction/instruction_words.h"
-#include "engine/study/plan_words.h"
 #include "tests/engine/support/directories.h"
 #include "tests/engine/support/temporary_folder.h"
 #include "tests/engine/support/test_worlds.h"
