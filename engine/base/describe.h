@@ -36,6 +36,7 @@ namespace glissade {
 //   embed(member)                                the keys of the member's type stand beside those of this type
 //   constant(key, value)                         the reader refuses every other value
 //   computed(key, function, format, about)       it is written and not read
+//   ignored(key, format, about)                  a remark in the file: it is neither kept nor written
 //   check(function)                              called by the reader with the value and its JsonCursor
 
 /// Selects an overload of describe().
@@ -134,6 +135,10 @@ class KeyArchive {
   void computed(const char* key, const Compute& /*compute*/, const Format& /*format*/, const char* /*about*/ = "") {
     keys_.emplace_back(key);
   }
+  template <class Format>
+  void ignored(const char* key, const Format& /*format*/, const char* /*about*/ = "") {
+    keys_.emplace_back(key);
+  }
   template <class Check>
   void check(const Check& /*check*/) {}
 
@@ -173,6 +178,10 @@ class ReadArchive {
   }
   template <class Compute, class Format>
   void computed(const char* /*key*/, const Compute& /*compute*/, const Format& /*format*/, const char* /*about*/ = "") {
+  }
+  template <class Format>
+  void ignored(const char* key, const Format& format, const char* /*about*/ = "") {
+    if (const auto found = at_.find(key)) (void)format.read(*found);
   }
   template <class Check>
   void check(const Check& check) {
@@ -215,6 +224,8 @@ class WriteArchive {
   void computed(const char* key, const Compute& compute, const Format& format, const char* /*about*/ = "") {
     json_[key] = format.write(compute(object_));
   }
+  template <class Format>
+  void ignored(const char* /*key*/, const Format& /*format*/, const char* /*about*/ = "") {}
   template <class Check>
   void check(const Check& /*check*/) {}
 
@@ -336,6 +347,10 @@ class SchemaArchive {
   template <class Compute, class Format>
   void computed(const char* key, const Compute& compute, const Format& format, const char* about = "") {
     optional(key, compute, format, about);
+  }
+  template <class Format>
+  void ignored(const char* key, const Format& format, const char* about = "") {
+    optional(key, nullptr, format, about);
   }
   template <class Check>
   void check(const Check& /*check*/) {}

@@ -9239,10 +9239,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>concerne une liaison déjà donnée</translation>
     </message>
     <message>
-        <source>Give a path, or remove it.</source>
-        <translation>Donnez un chemin, ou supprimez-le.</translation>
-    </message>
-    <message>
         <source>is the name of a path before it</source>
         <translation>est déjà le nom d&apos;un chemin précédent</translation>
     </message>
@@ -9395,20 +9391,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>n&apos;est pas une étape précédente</translation>
     </message>
     <message>
-        <source>is not certified or not_certified</source>
-        <translation>n&apos;est pas certified ou not_certified</translation>
-    </message>
-    <message>
         <source>is without a pitch</source>
         <translation>n&apos;a pas de pas de filetage</translation>
     </message>
     <message>
         <source>is fixed as base, or was removed</source>
         <translation>est fixé comme base, ou est démonté</translation>
-    </message>
-    <message>
-        <source>is deeper than %1 lines</source>
-        <translation>est plus profond que %1 lignes</translation>
     </message>
     <message>
         <source>is not a step before it</source>
@@ -9639,14 +9627,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Donnez region-growing ou watershed.</translation>
     </message>
     <message>
-        <source>names fewer than %1 bodies</source>
-        <translation>nomme moins de %1 corps</translation>
-    </message>
-    <message>
-        <source>is not three numbers</source>
-        <translation>n&apos;est pas fait de trois nombres</translation>
-    </message>
-    <message>
         <source>is not two texts</source>
         <translation>n&apos;est pas fait de deux textes</translation>
     </message>
@@ -9657,10 +9637,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>is not 1 or more</source>
         <translation>n&apos;est pas au moins 1</translation>
-    </message>
-    <message>
-        <source>has fewer than two configurations</source>
-        <translation>a moins de deux configurations</translation>
     </message>
     <message>
         <source>the class of &apos;%1&apos; is &apos;%2&apos;, which is not a class of bodies</source>
@@ -10369,22 +10345,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>Save the logo as PNG.</source>
         <translation>Enregistrez le logo en PNG.</translation>
-    </message>
-    <message>
-        <source>is no language of the instructions</source>
-        <translation>n&apos;est pas une langue des gammes de montage</translation>
-    </message>
-    <message>
-        <source>Take en or fr.</source>
-        <translation>Prenez en ou fr.</translation>
-    </message>
-    <message>
-        <source>is no paper of the instructions</source>
-        <translation>n&apos;est pas un papier des gammes de montage</translation>
-    </message>
-    <message>
-        <source>Take A4 or Letter.</source>
-        <translation>Prenez A4 ou Letter.</translation>
     </message>
     <message>
         <source>Part</source>
@@ -11417,6 +11377,10 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>You steer the object. The way of your hand is kept and proved, and the computer searches from it; at α = 1 the automatic planners finish the path.</source>
         <translation>Vous guidez l&apos;objet. Le trajet de votre main est conservé et prouvé, et l&apos;ordinateur cherche à partir de lui&#xa0;; à α = 1, les planificateurs automatiques finissent le chemin.</translation>
+    </message>
+    <message>
+        <source>has fewer than %1 entries</source>
+        <translation>a moins de %1 entrées</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,6 +47,9 @@ struct InstructionTemplate {
 /// Reads a template: resources/schema/instruction-template-1.schema.json. Errors: MalformedInput with the JSON pointer
 /// as place; those of reading the logo, which must be a PNG or JPEG file beside the template or below its folder.
 Result<InstructionTemplate> readInstructionTemplate(const std::string& file);
+
+/// The JSON schema of templates.
+nlohmann::ordered_json instructionTemplateSchema();
 
 /// Largest size of a logo's file.
 inline constexpr std::size_t kMostLogoBytes = 4U << 20;

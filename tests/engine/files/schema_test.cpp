@@ -8,6 +8,7 @@
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
 
+#include "engine/documents/instruction/instruction_template.h"
 #include "engine/files/joints_json.h"
 #include "engine/files/plan_file.h"
 #include "engine/files/run_record.h"
@@ -106,8 +107,10 @@ TEST(JointsSchema, AcceptsWhatIsWritten) {
 
 /// The files are written by the code that reads and writes the documents. GLISSADE_UPDATE_GOLDEN=1 writes them.
 TEST(Schemas, FilesAreWhatTheCodeDescribes) {
-  const std::pair<const char*, nlohmann::ordered_json> schemas[] = {{"scenario-1", scenarioSchema()},
-                                                                    {"plan-1", planSchema()}};
+  const std::pair<const char*, nlohmann::ordered_json> schemas[] = {
+      {"scenario-1", scenarioSchema()},
+      {"plan-1", planSchema()},
+      {"instruction-template-1", instructionTemplateSchema()}};
   for (const auto& [name, schema] : schemas) {
     const std::string file = test::sourceDirectory() + "/resources/schema/" + name + ".schema.json";
     const std::string text = schema.dump(2) + "\n";
