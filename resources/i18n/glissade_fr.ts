@@ -13776,7 +13776,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>The OpenXR runtime refused %1. The headset works without it</source>
-        <translation>L'environnement OpenXR a refusé %1. Le casque fonctionne sans cela</translation>
+        <translation>Le moteur OpenXR a refusé %1. Le casque fonctionne sans cela</translation>
     </message>
     <message>
         <source>The headset is off</source>
