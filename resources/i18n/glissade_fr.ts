@@ -3245,8 +3245,8 @@
         <translation>%1 {1|liaison|liaisons} de %2 corps</translation>
     </message>
     <message>
-        <source>screws in bodies without a hole in the file, each of which makes its own: %1</source>
-        <translation>vis dans des corps sans trou dans le fichier, qui font chacune le leur&#xa0;: %1</translation>
+        <source>screws in bodies without a tapped hole in the file, each of which makes its own: %1</source>
+        <translation>vis dans des corps sans trou taraudé dans le fichier, qui font chacune le leur&#xa0;: %1</translation>
     </message>
     <message>
         <source>joints whose evidence contradicts itself, for the user to decide (?): %1</source>
@@ -6271,8 +6271,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>recouvrement %1, tolérance de maillage %2, espacement %3, écart %4</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; without what its screw &apos;%2&apos; fills: the file has no hole there</source>
-        <translation>«&#xa0;%1&#xa0;» sans ce que sa vis «&#xa0;%2&#xa0;» remplit&#xa0;: le fichier n&apos;a pas de trou à cet endroit</translation>
+        <source>&apos;%1&apos; without what its screw &apos;%2&apos; fills: the file has no tapped hole there</source>
+        <translation>«&#xa0;%1&#xa0;» sans ce que sa vis «&#xa0;%2&#xa0;» remplit&#xa0;: le fichier n&apos;a pas de trou taraudé à cet endroit</translation>
     </message>
     <message>
         <source>&apos;%1&apos; without what overlaps &apos;%2&apos;, up to %3 deep: a clash that the user accepts</source>
@@ -8707,8 +8707,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>%1, %2 face à %3 (%4)</translation>
     </message>
     <message>
-        <source>%1 without what its screw %2 fills (no hole in the file)</source>
-        <translation>%1 sans ce que sa vis %2 remplit (aucun trou dans le fichier)</translation>
+        <source>%1 without what its screw %2 fills (no tapped hole in the file)</source>
+        <translation>%1 sans ce que sa vis %2 remplit (aucun trou taraudé dans le fichier)</translation>
     </message>
     <message>
         <source>%1 without what overlaps %2, up to %3 deep (accepted clash)</source>
@@ -11003,12 +11003,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>rotation de %1 autour de l&apos;axe %2</translation>
     </message>
     <message>
-        <source>%1 without what its screw fills (no hole in the file)</source>
-        <translation>%1 sans ce que sa vis remplit (aucun trou dans le fichier)</translation>
+        <source>%1 without what its screw fills (no tapped hole in the file)</source>
+        <translation>%1 sans ce que sa vis remplit (aucun trou taraudé dans le fichier)</translation>
     </message>
     <message>
-        <source>without what its screw %1 fills (no hole in the file)</source>
-        <translation>sans ce que sa vis %1 remplit (aucun trou dans le fichier)</translation>
+        <source>without what its screw %1 fills (no tapped hole in the file)</source>
+        <translation>sans ce que sa vis %1 remplit (aucun trou taraudé dans le fichier)</translation>
     </message>
     <message>
         <source>%1 without what overlaps it, up to %2 deep (accepted clash)</source>
@@ -11417,6 +11417,22 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>You steer the object. The way of your hand is kept and proved, and the computer searches from it; at α = 1 the automatic planners finish the path.</source>
         <translation>Vous guidez l&apos;objet. Le trajet de votre main est conservé et prouvé, et l&apos;ordinateur cherche à partir de lui&#xa0;; à α = 1, les planificateurs automatiques finissent le chemin.</translation>
+    </message>
+    <message>
+        <source>%1 {1|pair|pairs} with allowances {1|overlaps|overlap} without being a fit, a thread or a press: %2</source>
+        <translation>%1 {1|paire avec amincissement se recouvre|paires avec amincissement se recouvrent} sans être ni un ajustement, ni un filetage, ni un serrage&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>not for assembly: the path pulls &apos;%1&apos; through the thread of &apos;%2&apos; without a turn (%3)</source>
+        <translation>pas pour le montage&#xa0;: la trajectoire tire «&#xa0;%1&#xa0;» à travers le filetage de «&#xa0;%2&#xa0;» sans tourner (%3)</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; alone blocks every straight motion of it, and no other motion was found; if &apos;%1&apos; is several parts drawn as one, such as a bolt with its nut, draw them apart</source>
+        <translation>«&#xa0;%1&#xa0;» bloque à lui seul chaque mouvement droit de la pièce, et aucun autre mouvement n&apos;a été trouvé&#xa0;; si «&#xa0;%1&#xa0;» est fait de plusieurs pièces dessinées en une, comme une vis avec son écrou, dessinez-les séparément</translation>
+    </message>
+    <message>
+        <source>not for assembly: &apos;%1&apos; is pulled off &apos;%2&apos; without being unscrewed: %3</source>
+        <translation>pas pour le montage&#xa0;: «&#xa0;%1&#xa0;» est tiré de «&#xa0;%2&#xa0;» sans être dévissé&#xa0;: %3</translation>
     </message>
 </context>
 <context>
@@ -15141,8 +15157,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>interférence acceptée avec %1, profonde de %2</translation>
     </message>
     <message>
-        <source>no hole in the file, with %1</source>
-        <translation>aucun trou dans le fichier, avec %1</translation>
+        <source>no tapped hole in the file, with %1</source>
+        <translation>aucun trou taraudé dans le fichier, avec %1</translation>
     </message>
     <message>
         <source>a forbidden place</source>
