@@ -1,6 +1,7 @@
 #include "engine/sequence/stuck_reasons.h"
 
 #include <algorithm>
+#include <variant>
 
 #include "engine/geometry/separate_solids.h"
 
@@ -45,6 +46,7 @@ Message StuckReasons::withoutAdvice(std::size_t body, const std::vector<std::siz
     return {GLISSADE_TEXT("a constraint states that '%1' is removed before"), {name(holding.front())}};
   for (const std::size_t other : blocking) {
     if (question_.staying[other] || !holdEachOther(body, other)) continue;
+    if (Message alone = ofOneAlone(unit, blocking); !alone.empty()) return alone;
     return {GLISSADE_TEXT("it and '%1' hold each other: no motion was found for either alone, nor for both as one; "
                           "motions of several bodies at the same time are not searched"),
             {name(other)}};
@@ -58,7 +60,19 @@ Message StuckReasons::withoutAdvice(std::size_t body, const std::vector<std::siz
   }
   if (Message turns = ofTurns(unit); !turns.empty()) return turns;
   if (Message cuts = ofCuts(unit, blocking); !cuts.empty()) return cuts;
+  if (Message alone = ofOneAlone(unit, blocking); !alone.empty()) return alone;
   return GLISSADE_TEXT("no motion was found, alone or with others");
+}
+
+/// Names a body that stays and blocks the unit without any other body; empty if there is none.
+Message StuckReasons::ofOneAlone(const BodyGroup& unit, const std::set<std::size_t>& blocking) const {
+  for (const std::size_t other : blocking) {
+    if (!question_.staying[other] || !blocksAlone(unit, other)) continue;
+    return {GLISSADE_TEXT("'%1' alone blocks every straight motion of it, and no other motion was found; if '%1' is "
+                          "several parts drawn as one, such as a bolt with its nut, draw them apart"),
+            {name(other)}};
+  }
+  return {};
 }
 
 /// True if all blocking bodies, at least two, belong to one other unit.
@@ -159,6 +173,21 @@ bool StuckReasons::isBlockedBy(const BodyGroup& unit, const BodyGroup& others) c
     return std::any_of(blocking.begin(), blocking.end(),
                        [&](std::size_t body) { return std::binary_search(others.begin(), others.end(), body); });
   });
+}
+
+/// True if the unit has no direct way out while nothing but the other body is there.
+bool StuckReasons::blocksAlone(const BodyGroup& unit, std::size_t other) const {
+  const auto refused = refusals_.find(unit);
+  if (refused != refusals_.end()) {
+    const auto direct = refused->second.find(0);
+    if (direct != refused->second.end() && direct->second.blockedBy == std::vector{other}) return true;
+  }
+  BodySet pair(present_.size(), false);
+  for (const std::size_t body : unit) pair[body] = true;
+  pair[other] = true;
+  const RemovalAnswer answer = question_.trial.tryRemoval(unit, pair, 0, {});
+  const auto* held = std::get_if<Refused>(&answer);
+  return held != nullptr && !held->stopped;
 }
 
 /// True if `body` blocks the unit of `other`, which blocks `body`.

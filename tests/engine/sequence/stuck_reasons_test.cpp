@@ -98,6 +98,26 @@ TEST(StuckReasons, APartOfSolidsThatDoNotTouchMayBeOpened) {
   }
 }
 
+/// Two frames between the flanges of a spool block each other, and the spool alone holds each of them.
+TEST(StuckReasons, ABodyThatHoldsAloneIsNamedBeforeTheOnesBesideIt) {
+  const auto frame = [](const char* name, double at) {
+    return test::bodyOf(name, {{{0.02, 0.1, 0.03}, {0.04, 0.0, at}},
+                               {{0.02, 0.1, 0.03}, {-0.04, 0.0, at}},
+                               {{0.1, 0.02, 0.03}, {0.0, 0.04, at}},
+                               {{0.1, 0.02, 0.03}, {0.0, -0.04, at}}});
+  };
+  const AssembledProduct product = test::productOf({test::bodyOf("spool", {{{0.09, 0.09, 0.02}, {0.0, 0.0, 0.05}},
+                                                                           {{0.04, 0.04, 0.1}, {0.0, 0.0, 0.0}},
+                                                                           {{0.09, 0.09, 0.02}, {0.0, 0.0, -0.05}}}),
+                                                    frame("upper", 0.018), frame("lower", -0.018)},
+                                                   true);
+  const AssemblyPlan plan = plainPlanOf(product);
+  ASSERT_EQ(plan.stuck.size(), 2U);
+  for (const StuckBody& stuck : plan.stuck) {
+    EXPECT_THAT(toString(stuck.reason), HasSubstr("'spool' alone blocks every straight motion of it"));
+  }
+}
+
 TEST(StuckReasons, BodiesThatTouchDoNotClash) { EXPECT_TRUE(plainPlanOf(overlapping(0.0)).stuck.empty()); }
 
 }  // namespace
