@@ -11434,6 +11434,10 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <source>not for assembly: &apos;%1&apos; is pulled off &apos;%2&apos; without being unscrewed: %3</source>
         <translation>pas pour le montage&#xa0;: «&#xa0;%1&#xa0;» est tiré de «&#xa0;%2&#xa0;» sans être dévissé&#xa0;: %3</translation>
     </message>
+    <message>
+        <source>&apos;%1&apos; is in its way, and is stuck for a reason of its own</source>
+        <translation>«&#xa0;%1&#xa0;» est sur son chemin, et est lui-même bloqué pour une autre raison</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>

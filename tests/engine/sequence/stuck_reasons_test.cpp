@@ -118,6 +118,23 @@ TEST(StuckReasons, ABodyThatHoldsAloneIsNamedBeforeTheOnesBesideIt) {
   }
 }
 
+/// A block in a box, below a lid that clashes with the box.
+TEST(StuckReasons, ABodyWaitsForOneThatIsStuckItself) {
+  const AssembledProduct product =
+      test::productOf({test::bodyOf("box", {{{0.2, 0.2, 0.05}, {0.0, 0.0, -0.075}},
+                                            {{0.05, 0.2, 0.2}, {-0.075, 0.0, 0.0}},
+                                            {{0.05, 0.2, 0.2}, {0.075, 0.0, 0.0}},
+                                            {{0.2, 0.05, 0.2}, {0.0, -0.075, 0.0}},
+                                            {{0.2, 0.05, 0.2}, {0.0, 0.075, 0.0}}}),
+                       boxBody("lid", {0.2, 0.2, 0.05}, Pose::translation({0.0, 0.0, 0.12})),
+                       boxBody("block", {0.095, 0.095, 0.14}, Pose::translation({0.0, 0.0, 0.022}))},
+                      true);
+  const AssemblyPlan plan = plainPlanOf(product);
+  ASSERT_EQ(plan.stuck.size(), 2U);
+  EXPECT_THAT(toString(plan.stuck[0].reason), HasSubstr("it and 'box' clash"));
+  EXPECT_THAT(toString(plan.stuck[1].reason), HasSubstr("'lid' is in its way, and is stuck for a reason of its own"));
+}
+
 TEST(StuckReasons, BodiesThatTouchDoNotClash) { EXPECT_TRUE(plainPlanOf(overlapping(0.0)).stuck.empty()); }
 
 }  // namespace
