@@ -7,12 +7,12 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/text_cells.h"
 #include "engine/access/plan_access.h"
+#include "engine/documents/plan_tasks.h"
+#include "engine/documents/plan_words.h"
 #include "engine/files/path_reader.h"
 #include "engine/files/plan_file.h"
 #include "engine/files/product_file.h"
 #include "engine/files/scenario_io.h"
-#include "engine/study/plan_tasks.h"
-#include "engine/study/plan_words.h"
 
 namespace glissade::cli {
 namespace {

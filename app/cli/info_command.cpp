@@ -173,7 +173,7 @@ Json toJson(const Product& tree, const std::vector<RigidBody>& bodies) {
     if (!node.names.occurrence.empty()) json["occurrence"] = node.names.occurrence;
     if (!node.names.designator.empty()) json["designator"] = node.names.designator;
     if (node.parent) json["in"] = tree.nodes()[*node.parent].id;
-    if (!node.attributes.empty()) json["attributes"] = attributesToJson(node.attributes);
+    if (!node.attributes.empty()) json["attributes"] = AttributesFormat().write(node.attributes);
     list.push_back(std::move(json));
   }
   return list;

@@ -20,13 +20,13 @@
 #include "engine/fits/joint_finder.h"
 #include "engine/import/missing_shapes_json.h"
 
+#include "engine/documents/plan_tasks.h"
+#include "engine/documents/plan_words.h"
 #include "engine/sequence/fasteners.h"
 #include "engine/sequence/product_finder.h"
 #include "engine/sequence/sequence_run.h"
 #include "engine/sequence/step_motion.h"
 #include "engine/sequence/subassembly_lines.h"
-#include "engine/study/plan_tasks.h"
-#include "engine/study/plan_words.h"
 
 namespace glissade::cli {
 namespace {

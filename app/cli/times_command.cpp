@@ -4,11 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/text_cells.h"
+#include "engine/documents/plan_timing.h"
+#include "engine/documents/plan_words.h"
 #include "engine/files/plan_file.h"
 #include "engine/files/product_file.h"
 #include "engine/files/work_times_json.h"
-#include "engine/study/plan_timing.h"
-#include "engine/study/plan_words.h"
 
 namespace glissade::cli {
 namespace {

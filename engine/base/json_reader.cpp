@@ -22,12 +22,15 @@ void JsonCursor::expectObject() const {
 }
 
 void JsonCursor::allowOnly(std::initializer_list<const char*> keys) const {
+  allowOnly(std::vector<std::string>(keys.begin(), keys.end()));
+}
+
+void JsonCursor::allowOnly(const std::vector<std::string>& keys) const {
   expectObject();
   for (const auto& item : value_->items()) {
-    const bool known = std::any_of(keys.begin(), keys.end(), [&](const char* key) { return item.key() == key; });
-    if (known) continue;
+    if (std::find(keys.begin(), keys.end(), item.key()) != keys.end()) continue;
     std::string list;
-    for (const char* key : keys) list += (list.empty() ? "" : ", ") + std::string(key);
+    for (const std::string& key : keys) list += (list.empty() ? "" : ", ") + key;
     at(item.key()).fail(GLISSADE_TEXT("is an unknown key"), {GLISSADE_TEXT("Remove it, or use one of: %1."), {list}});
   }
 }

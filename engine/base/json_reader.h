@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "engine/base/enum_names.h"
 #include "engine/base/result.h"
@@ -31,6 +32,7 @@ class JsonCursor {
   void expectObject() const;
   /// Checks that the value is an object with keys among these only; the error is at the first other key.
   void allowOnly(std::initializer_list<const char*> keys) const;
+  void allowOnly(const std::vector<std::string>& keys) const;
   JsonCursor at(const std::string& key) const;
   std::optional<JsonCursor> find(const std::string& key) const;
 

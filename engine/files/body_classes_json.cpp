@@ -2,44 +2,34 @@
 
 #include <glissade/body_classes.h>
 
-#include "engine/base/limits.h"
 #include "engine/files/semantics_json.h"
 #include "engine/sequence/fastener_kind.h"
 
 namespace glissade {
 namespace {
 
-BodyClass readBodyClass(const JsonCursor& at) {
-  at.allowOnly({"name", "of", "label", "fastener", "attributes"});
-  BodyClass read{at.at("name").nonEmptyText()};
-  if (const auto of = at.find("of")) read.of = of->nonEmptyText();
-  if (const auto label = at.find("label")) read.label = label->text();
-  if (const auto fastener = at.find("fastener")) read.fastener = kFastenerNames.of(fastener->named(kFastenerNames));
-  read.attributes = readAttributes(at.find("attributes"));
-  return read;
-}
+/// A body class names its kind of fastener by text; empty: none is stated.
+constexpr Accessor kFastener{[](const BodyClass& of) { return kFastenerNames.find(of.fastener); },
+                             [](BodyClass& of, FastenerKind kind) { of.fastener = kFastenerNames.of(kind); }};
 
 }  // namespace
 
-std::vector<BodyClass> readBodyClasses(const JsonCursor& at) {
-  std::vector<BodyClass> classes;
-  for (std::size_t i = 0; i < at.sizeUpTo(limits::kMostBodies); ++i) classes.push_back(readBodyClass(at.element(i)));
-  return classes;
+template <class Archive>
+void describe(Archive& each, Type<BodyClass> /*type*/) {
+  each.type("body_class");
+  each.required("name", &BodyClass::name, kNonEmptyText);
+  each.optional("of", &BodyClass::of, kNonEmptyText, "The class that it inherits from.");
+  each.optional("label", &BodyClass::label, kText);
+  each.optional("fastener", kFastener, named(kFastenerNames));
+  each.optional("attributes", &BodyClass::attributes, AttributesFormat());
 }
 
-JsonCursor::Json toJson(const BodyClass& bodyClass) {
-  JsonCursor::Json json{{"name", bodyClass.name}};
-  if (!bodyClass.of.empty()) json["of"] = bodyClass.of;
-  if (!bodyClass.label.empty()) json["label"] = bodyClass.label;
-  if (!bodyClass.fastener.empty()) json["fastener"] = bodyClass.fastener;
-  if (!bodyClass.attributes.empty()) json["attributes"] = attributesToJson(bodyClass.attributes);
-  return json;
-}
+template struct ObjectFormat<BodyClass>;
 
 std::vector<BodyClass> usualBodyClasses() {
   const auto read = readJson(kUsualBodyClassesText, "body_classes.json", [](const JsonCursor& at) {
     at.allowOnly({"format", "version", "description", "classes"});
-    return readBodyClasses(at.at("classes"));
+    return kBodyClasses.read(at.at("classes"));
   });
   return read ? *read : std::vector<BodyClass>();
 }

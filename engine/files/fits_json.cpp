@@ -2,118 +2,107 @@
 
 #include <cmath>
 
-#include "engine/base/limits.h"
 #include "engine/fits/contact_report.h"
 
 namespace glissade {
 namespace {
 
-using Json = JsonCursor::Json;
+constexpr EnumNames<bool, 2> kModeNames{{"off", "on"}};
 
-double readAllowance(const JsonCursor& at) {
-  const double value = at.coordinate();
-  if (value < 0.0) at.fail(GLISSADE_TEXT("is below zero"), GLISSADE_TEXT("Give metres, 0 or more."));
-  return value;
-}
+constexpr FunctionFormat kFitKind{
+    [](const JsonCursor& at) {
+      const auto kind = kContactKindNames.find(at.text());
+      if (!kind || *kind == ContactKind::Clearance) {
+        at.fail(GLISSADE_TEXT("is not a kind of fit"),
+                GLISSADE_TEXT("Give planar, cylindrical, thread, press, overlap, contact or clash."));
+      }
+      return *kind;
+    },
+    [](ContactKind kind) { return kContactKindNames.of(kind); },
+    R"({"enum": ["planar", "cylindrical", "thread", "press", "overlap", "contact", "clash"]})"};
 
-ContactKind readKind(const JsonCursor& at) {
-  const auto kind = kContactKindNames.find(at.text());
-  if (!kind || *kind == ContactKind::Clearance) {
-    at.fail(GLISSADE_TEXT("is not a kind of fit"),
-            GLISSADE_TEXT("Give planar, cylindrical, thread, press, overlap, contact or clash."));
-  }
-  return *kind;
-}
+/// Limits of the pitch. Smaller pitches are not made; larger ones are straight motions.
+constexpr FunctionFormat kFitPitch{
+    [](const JsonCursor& at) {
+      const double value = at.number();
+      constexpr double kLeast = 1e-5;
+      constexpr double kMost = 1.0;
+      if (!(std::abs(value) >= kLeast && std::abs(value) <= kMost)) {
+        at.fail(GLISSADE_TEXT("is not a pitch"),
+                GLISSADE_TEXT("Give metres a turn, from 0.00001 to 1; below zero for a left-handed thread."));
+      }
+      return value;
+    },
+    kAsItIs, R"({"type": "number"})"};
 
 /// Throws JsonError where a pair that is no thread has values of threads, which would have no effect.
-void demandThread(const JsonCursor& at, const FitEdit& pair) {
-  if (pair.kind == ContactKind::Thread) return;
-  at.fail(GLISSADE_TEXT("has no effect, because the pair is not marked as a thread"),
-          GLISSADE_TEXT("Add \"kind\": \"thread\", or remove it."));
+void demandThread(const FitEdit& edit, const JsonCursor& at, const char* key) {
+  const auto found = at.find(key);
+  if (!found || edit.kind == ContactKind::Thread) return;
+  found->fail(GLISSADE_TEXT("has no effect, because the pair is not marked as a thread"),
+              GLISSADE_TEXT("Add \"kind\": \"thread\", or remove it."));
 }
 
-double readPitch(const JsonCursor& at, const FitEdit& pair) {
-  const double value = at.number();
-  // Bounds of the pitch. Smaller pitches are not made; larger ones are no threads but straight motions.
-  constexpr double kLeastPitch = 1e-5;
-  constexpr double kMostPitch = 1.0;
-  if (!(std::abs(value) >= kLeastPitch && std::abs(value) <= kMostPitch)) {
-    at.fail(GLISSADE_TEXT("is not a pitch"),
-            GLISSADE_TEXT("Give metres a turn, from 0.00001 to 1; below zero for a left-handed thread."));
-  }
-  demandThread(at, pair);
-  return value;
-}
-
-std::string readTurned(const JsonCursor& at, const FitEdit& pair) {
-  std::string id = at.text();
-  if (id != pair.a && id != pair.b)
-    at.fail(GLISSADE_TEXT("is neither of the two bodies"), GLISSADE_TEXT("Name the body that is turned."));
-  demandThread(at, pair);
-  return id;
-}
-
-FitEdit readPair(const JsonCursor& at) {
-  at.allowOnly({"a", "b", "kind", "allowance", "accepted", "pitch_m", "turned"});
-  FitEdit edit;
-  edit.a = at.at("a").nonEmptyText();
-  edit.b = at.at("b").nonEmptyText();
+void checkPair(const FitEdit& edit, const JsonCursor& at) {
   if (edit.a == edit.b) at.at("b").fail(GLISSADE_TEXT("is the same body as 'a'"));
-  if (const auto kind = at.find("kind")) edit.kind = readKind(*kind);
-  if (const auto allowance = at.find("allowance")) edit.allowance = readAllowance(*allowance);
-  if (const auto accepted = at.find("accepted")) edit.accepted = accepted->boolean();
-  if (const auto pitch = at.find("pitch_m")) edit.pitch = readPitch(*pitch, edit);
-  if (const auto turned = at.find("turned")) edit.turned = readTurned(*turned, edit);
-  return edit;
+  demandThread(edit, at, "pitch_m");
+  if (at.has("turned") && edit.turned != edit.a && edit.turned != edit.b) {
+    at.at("turned").fail(GLISSADE_TEXT("is neither of the two bodies"), GLISSADE_TEXT("Name the body that is turned."));
+  }
+  demandThread(edit, at, "turned");
 }
 
 bool isSamePair(const FitEdit& one, const FitEdit& other) {
   return (one.a == other.a && one.b == other.b) || (one.a == other.b && one.b == other.a);
 }
 
-Json toJson(const FitEdit& edit) {
-  Json json{{"a", edit.a}, {"b", edit.b}};
-  if (edit.kind) json["kind"] = kContactKindNames.of(*edit.kind);
-  if (edit.allowance) json["allowance"] = *edit.allowance;
-  if (edit.accepted) json["accepted"] = true;
-  if (edit.pitch) json["pitch_m"] = *edit.pitch;
-  if (!edit.turned.empty()) json["turned"] = edit.turned;
-  return json;
+void checkPairs(const FitSettings& fits, const JsonCursor& at) {
+  for (std::size_t i = 0; i < fits.pairs.size(); ++i) {
+    for (std::size_t earlier = 0; earlier < i; ++earlier) {
+      if (!isSamePair(fits.pairs[earlier], fits.pairs[i])) continue;
+      at.at("pairs").element(i).fail(GLISSADE_TEXT("is about a pair that was there before"),
+                                     GLISSADE_TEXT("Remove one."));
+    }
+  }
 }
 
 }  // namespace
 
-FitSettings readFits(const JsonCursor& at) {
-  at.allowOnly({"mode", "accept_clashes", "cut", "pairs"});
-  FitSettings fits;
-  const std::string mode = at.at("mode").text();
-  if (mode != "on" && mode != "off") at.at("mode").fail(GLISSADE_TEXT("is neither \"on\" nor \"off\""));
-  fits.on = mode == "on";
-  if (const auto clash = at.find("accept_clashes")) fits.acceptedClash = readAllowance(*clash);
-  const auto cut = at.find("cut");
-  for (std::size_t i = 0; cut && i < cut->sizeUpTo(limits::kMostBodies); ++i) {
-    fits.cut.push_back(cut->element(i).nonEmptyText());
-  }
-  const auto pairs = at.find("pairs");
-  for (std::size_t i = 0; pairs && i < pairs->sizeUpTo(limits::kMostBodies); ++i) {
-    const FitEdit edit = readPair(pairs->element(i));
-    for (const FitEdit& earlier : fits.pairs) {
-      if (isSamePair(earlier, edit))
-        pairs->element(i).fail(GLISSADE_TEXT("is about a pair that was there before"), GLISSADE_TEXT("Remove one."));
-    }
-    fits.pairs.push_back(edit);
-  }
-  return fits;
+template <class Archive>
+void describe(Archive& pair, Type<FitEdit> /*type*/) {
+  pair.type("fit_edit");
+  pair.required("a", &FitEdit::a, kNonEmptyText,
+                "Id of the object or of a rigid body, as 'glissade-cli fits' names them.");
+  pair.required("b", &FitEdit::b, kNonEmptyText);
+  pair.optional("kind", &FitEdit::kind, kFitKind, "A pair that is called a thread here comes apart by turning only.");
+  pair.optional("allowance", &FitEdit::allowance, kLengthOrZero, "Metres; 0: clearance is required.");
+  pair.optional("accepted", &FitEdit::accepted, kBoolean, "A person accepts the clash.");
+  pair.optional("pitch_m", &FitEdit::pitch, kFitPitch,
+                "Only with kind thread: metres a turn; below 0: left-handed. Absent: the coarse pitch of ISO 261 for "
+                "its radius.");
+  pair.optional("turned", &FitEdit::turned, kText,
+                "Only with kind thread: id of the body that is turned while the other one is held. Absent: a nut that "
+                "nothing holds is turned; else either.");
+  pair.check(checkPair);
 }
 
-void addFits(const FitSettings& fits, Json& json) {
-  if (!fits.on && fits.acceptedClash == 0.0 && fits.pairs.empty() && fits.cut.empty()) return;
-  Json section{{"mode", fits.on ? "on" : "off"}};
-  if (fits.acceptedClash > 0.0) section["accept_clashes"] = fits.acceptedClash;
-  if (!fits.cut.empty()) section["cut"] = fits.cut;
-  if (!fits.pairs.empty()) section["pairs"] = Json::array();
-  for (const FitEdit& edit : fits.pairs) section["pairs"].push_back(toJson(edit));
-  json["fits"] = std::move(section);
+template <class Archive>
+void describe(Archive& fits, Type<FitSettings> /*type*/) {
+  fits.type("fits",
+            "How the object is taken against bodies that it touches or overlaps where the product is assembled (start, "
+            "or a goal that is a configuration). Absent: clearance is required of every pair.");
+  fits.required("mode", &FitSettings::on, named(kModeNames),
+                "on: the object is thinned by each fit's allowance against that body alone.");
+  fits.optional("accept_clashes", &FitSettings::acceptedClash, kLengthOrZero,
+                "Metres: clashes up to this overlap are accepted.");
+  fits.optional("cut", &FitSettings::cut, listOf(kNonEmptyText),
+                "Bodies that are cut in accepted clashes where it is not clear which of the two has the hole: ids, or "
+                "the end of ids behind a /.");
+  fits.optional("pairs", &FitSettings::pairs, kObjects<FitEdit>,
+                "A person's statements about pairs, which override measurements.");
+  fits.check(checkPairs);
 }
+
+template struct ObjectFormat<FitSettings>;
 
 }  // namespace glissade

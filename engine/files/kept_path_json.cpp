@@ -10,96 +10,84 @@ namespace {
 using Json = JsonCursor::Json;
 
 constexpr std::size_t kMostKeptPaths = 1000;
+constexpr std::size_t kMostKeptPoints = 10'000'000;
 
-PathPoint readPoint(const JsonCursor& at) {
-  at.allowOnly({"position", "orientation", "author", "segment_author"});
-  const Json pose{{"position", at.at("position").json()}, {"orientation", at.at("orientation").json()}};
-  PathPoint point;
-  point.q = readPose(JsonCursor(pose, at.file(), at.pointer()));
-  if (const auto author = at.find("author")) point.author = author->named(kAuthorNames);
-  point.segmentAuthor = point.author;
-  if (const auto author = at.find("segment_author")) point.segmentAuthor = author->named(kAuthorNames);
-  return point;
-}
+struct KeptPoint : PathPoint {};
 
-Allowance readKeptAllowance(const JsonCursor& at) {
-  at.allowOnly({"body", "allowance", "yields", "hollow"});
-  Allowance allowance{at.at("body").nonEmptyText()};
-  allowance.allowance = at.at("allowance").length();
-  if (const auto yields = at.find("yields")) allowance.yields = yields->boolean();
-  if (const auto hollow = at.find("hollow")) allowance.hollow = hollow->boolean();
-  return allowance;
-}
+struct KeptPointFormat {
+  PathPoint read(const JsonCursor& at) const { return readDescribed<KeptPoint>(at); }
+  Json write(const PathPoint& point) const { return writeDescribed(KeptPoint{point}); }
+  Json schema(SchemaDefinitions& definitions) const { return definitions.reference<KeptPoint>(); }
+};
 
-/// Reads a clearance of a path: 0 or more.
-double readKeptClearance(const JsonCursor& at) {
-  const double value = at.coordinate();
-  if (value < 0.0) at.fail(GLISSADE_TEXT("is below zero"), GLISSADE_TEXT("Give metres, 0 or more."));
-  return value;
-}
+struct KeptAllowance : Allowance {};
 
-KeptPath readKeptPath(const JsonCursor& at) {
-  at.allowOnly({"name", "pinned", "object", "planner", "seed", "smoothed", "required_clearance", "clearance",
-                "proved_clearance", "allowances", "problem_sha256", "configurations"});
-  KeptPath path;
-  path.name = at.at("name").nonEmptyText();
-  if (const auto pinned = at.find("pinned")) path.pinned = pinned->boolean();
-  path.object = at.at("object").nonEmptyText();
-  if (const auto planner = at.find("planner")) path.provenance.planner = planner->text();
-  if (const auto seed = at.find("seed")) path.provenance.seed = seed->wholeNumber();
-  if (const auto smoothed = at.find("smoothed")) path.smoothed = smoothed->boolean();
-  path.requiredClearance = at.at("required_clearance").length();
-  if (const auto clearance = at.find("clearance")) path.clearance = readKeptClearance(*clearance);
-  if (const auto proved = at.find("proved_clearance")) path.provedClearance = readKeptClearance(*proved);
-  const auto allowances = at.find("allowances");
-  for (std::size_t i = 0; allowances && i < allowances->size(); ++i) {
-    path.allowances.push_back(readKeptAllowance(allowances->element(i)));
-  }
-  if (const auto problem = at.find("problem_sha256")) path.problemSha256 = problem->text();
-  const JsonCursor points = at.at("configurations");
-  for (std::size_t i = 0; i < points.size(); ++i) path.points.push_back(readPoint(points.element(i)));
-  if (path.points.empty()) points.fail(GLISSADE_TEXT("is empty"), GLISSADE_TEXT("Give a path, or remove it."));
-  return path;
-}
+struct KeptAllowanceFormat {
+  Allowance read(const JsonCursor& at) const { return readDescribed<KeptAllowance>(at); }
+  Json write(const Allowance& allowance) const { return writeDescribed(KeptAllowance{allowance}); }
+  Json schema(SchemaDefinitions& definitions) const { return definitions.reference<KeptAllowance>(); }
+};
 
-Json toJson(const PathPoint& point) {
-  Json json = glissade::toJson(point.q);
-  json["author"] = kAuthorNames.of(point.author);
-  if (point.segmentAuthor != point.author) json["segment_author"] = kAuthorNames.of(point.segmentAuthor);
-  return json;
-}
+bool hasPlanner(const KeptPath& path) { return !path.provenance.planner.empty(); }
+bool hasClearance(const KeptPath& path) { return path.clearance >= 0.0; }
 
-Json toJson(const KeptPath& path) {
-  Json json{{"name", path.name}};
-  if (path.pinned) json["pinned"] = true;
-  json["object"] = path.object;
-  if (!path.provenance.planner.empty()) {
-    json["planner"] = path.provenance.planner;
-    json["seed"] = path.provenance.seed;
-  }
-  if (path.smoothed) json["smoothed"] = true;
-  json["required_clearance"] = path.requiredClearance;
-  if (path.clearance >= 0.0) json["clearance"] = path.clearance;
-  json["proved_clearance"] = path.provedClearance;
-  for (const Allowance& given : path.allowances) {
-    Json& allowance = json["allowances"].emplace_back(Json{{"body", given.body}, {"allowance", given.allowance}});
-    if (given.yields) allowance["yields"] = true;
-    if (given.hollow) allowance["hollow"] = true;
-  }
-  if (!path.problemSha256.empty()) json["problem_sha256"] = path.problemSha256;
-  json["configurations"] = Json::array();
-  for (const PathPoint& point : path.points) json["configurations"].push_back(toJson(point));
-  return json;
-}
+constexpr Accessor kPlanner{[](const KeptPath& path) { return path.provenance.planner; },
+                            [](KeptPath& path, std::string id) { path.provenance.planner = std::move(id); }};
+constexpr Accessor kSeed{[](const KeptPath& path) { return path.provenance.seed; },
+                         [](KeptPath& path, std::uint64_t seed) { path.provenance.seed = seed; }};
 
 }  // namespace
 
-KeptPaths readKeptPaths(const JsonCursor& at) {
+template <class Archive>
+void describe(Archive& point, Type<KeptPoint> /*type*/) {
+  point.type("kept_configuration");
+  point.embed(&PathPoint::q);
+  point.optional("author", &PathPoint::author, named(kAuthorNames), "Author of the configuration.", Always());
+  point.check([](KeptPoint& read, const JsonCursor& /*at*/) { read.segmentAuthor = read.author; });
+  point.optional("segment_author", &PathPoint::segmentAuthor, named(kAuthorNames),
+                 "Author of the motion that ends here; absent: the author of the configuration.",
+                 [](const PathPoint& written) { return written.segmentAuthor != written.author; });
+}
+
+template <class Archive>
+void describe(Archive& allowance, Type<KeptAllowance> /*type*/) {
+  allowance.type("kept_allowance");
+  allowance.required("body", &Allowance::body, kNonEmptyText, "Id of the obstacle.");
+  allowance.required("allowance", &Allowance::allowance, kLength, "Metres.");
+  allowance.optional("yields", &Allowance::yields, kBoolean, "The obstacle was taken thinner, not the object.");
+  allowance.optional("hollow", &Allowance::hollow, kBoolean,
+                     "The overlap was taken away to this depth: a clash that a person accepts.");
+}
+
+template <class Archive>
+void describe(Archive& path, Type<KeptPath> /*type*/) {
+  path.type("kept_path");
+  path.required("name", &KeptPath::name, kNonEmptyText, "Unique among the paths.");
+  path.optional("pinned", &KeptPath::pinned, kBoolean);
+  path.required("object", &KeptPath::object, kNonEmptyText, "Id of the object that moves.");
+  path.optional("planner", kPlanner, kText, "Strategy of the run that found the path; absent: unknown.", hasPlanner);
+  path.optional("seed", kSeed, kCount, "", hasPlanner);
+  path.optional("smoothed", &KeptPath::smoothed, kBoolean, "The path was shortened after it was planned.");
+  path.required("required_clearance", &KeptPath::requiredClearance, kLength, "Metres.");
+  path.optional("clearance", &KeptPath::clearance, kLengthOrZero,
+                "Smallest distance to any body, metres, when the path was kept; absent: no body was near.",
+                hasClearance);
+  path.optional("proved_clearance", &KeptPath::provedClearance, kLengthOrZero, "Metres, when the path was kept.",
+                Always());
+  path.optional("allowances", &KeptPath::allowances, listOf(KeptAllowanceFormat()),
+                "By how much the object and bodies that it fits were taken thinner against each other.");
+  path.optional("problem_sha256", &KeptPath::problemSha256, kText,
+                "Hash of the problem for which the path was proved.");
+  path.required("configurations", &KeptPath::points, listOf(KeptPointFormat(), 1, kMostKeptPoints),
+                "Straight motions lead from each to the next.");
+}
+
+KeptPaths KeptPathsFormat::read(const JsonCursor& at) const {
   KeptPaths paths;
   std::set<std::string> names;
   for (std::size_t i = 0; i < at.sizeUpTo(kMostKeptPaths); ++i) {
     const JsonCursor element = at.element(i);
-    auto path = std::make_shared<const KeptPath>(readKeptPath(element));
+    auto path = std::make_shared<const KeptPath>(readDescribed<KeptPath>(element));
     if (!names.insert(path->name).second) {
       element.at("name").fail(GLISSADE_TEXT("is the name of a path before it"),
                               GLISSADE_TEXT("Give every path a name of its own."));
@@ -109,10 +97,14 @@ KeptPaths readKeptPaths(const JsonCursor& at) {
   return paths;
 }
 
-void addKeptPaths(const KeptPaths& paths, Json& json) {
-  if (paths.empty()) return;
-  json["paths"] = Json::array();
-  for (const KeptPathPtr& path : paths) json["paths"].push_back(toJson(*path));
+Json KeptPathsFormat::write(const KeptPaths& paths) const {
+  Json list = Json::array();
+  for (const KeptPathPtr& path : paths) list.push_back(writeDescribed(*path));
+  return list;
+}
+
+Json KeptPathsFormat::schema(SchemaDefinitions& definitions) const {
+  return {{"type", "array"}, {"maxItems", kMostKeptPaths}, {"items", definitions.reference<KeptPath>()}};
 }
 
 }  // namespace glissade

@@ -1,13 +1,15 @@
 #pragma once
 
-#include "engine/base/json_reader.h"
+#include "engine/base/json_formats.h"
 #include "engine/files/kept_path.h"
 
 namespace glissade {
 
-/// The section "paths" of a scenario file. Private to the readers and writers of this folder. Reading throws JsonError.
-KeptPaths readKeptPaths(const JsonCursor& at);
-/// Adds "paths" if there are any.
-void addKeptPaths(const KeptPaths& paths, JsonCursor::Json& json);
+/// The section "paths" of a scenario file. Reading throws JsonError.
+struct KeptPathsFormat {
+  KeptPaths read(const JsonCursor& at) const;
+  JsonCursor::Json write(const KeptPaths& paths) const;
+  JsonCursor::Json schema(SchemaDefinitions& definitions) const;
+};
 
 }  // namespace glissade

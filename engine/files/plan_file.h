@@ -12,6 +12,9 @@ namespace glissade {
 /// numbers. `product` is the file of the product, as the user named it.
 nlohmann::ordered_json planJson(const AssemblyPlan& plan, const std::string& product);
 
+/// The JSON schema of plan files: resources/schema/plan-1.schema.json.
+nlohmann::ordered_json planSchema();
+
 /// Saves the plan atomically, with a checksum.
 Outcome savePlan(const AssemblyPlan& plan, const std::string& product, const std::string& file);
 

@@ -9,13 +9,12 @@
 #include <utility>
 #include <variant>
 
-#include "engine/base/limits.h"
 #include "engine/base/message_json.h"
-#include "engine/check/stated_json.h"
 #include "engine/files/plan_file.h"
-#include "engine/files/scenario_fits.h"
 #include "engine/files/sequence_json.h"
 #include "engine/fits/contact_report.h"
+#include "engine/geometry/pose_json.h"
+#include "engine/import/json_checksum.h"
 #include "engine/sequence/subassembly_lines.h"
 
 namespace glissade {
@@ -23,94 +22,54 @@ namespace {
 
 using Json = JsonCursor::Json;
 
-constexpr std::size_t kMostEffort = 64;
-/// Deepest nesting of the lines of groups.
-constexpr std::size_t kMostLines = 32;
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-/// Status of a certificate. A flexible body leaves without a proof.
-constexpr const char* kCertified = "certified";
-constexpr const char* kNotCertified = "not_certified";
-
-Json toJson(const StepProof& proof, bool certified) {
-  return {{"status", certified ? kCertified : kNotCertified},
-          {"after_steps", proof.afterSteps},
-          {"required_m", proof.required},
-          {"proved_clearance_m", number(proof.provedClearance)},
-          {"min_clearance_m", number(proof.minClearance)},
-          {"nearest", proof.nearest.empty() ? Json(nullptr) : Json(proof.nearest)}};
-}
-
-Json toJson(const evidence::Evidence& evidence) {
-  Json json{{"overlap_m", evidence.overlap},
-            {"deflection_m", evidence.deflection},
-            {"spacing_m", evidence.spacing},
-            {"margin_m", evidence.margin}};
-  if (evidence.byPerson > 0.0) json["by_person_m"] = evidence.byPerson;
-  return json;
-}
-
-Json toJson(const Allowance& allowance) {
-  Json json{{"body", allowance.body},
-            {"kind", kContactKindNames.of(allowance.kind)},
-            {"overlap_m", allowance.overlap},
-            {"allowance_m", allowance.allowance},
-            {"text", toString(allowance.text)}};
-  if (!allowance.moving.empty()) json["moving"] = allowance.moving;
-  if (allowance.yields) json["yields"] = true;
-  if (allowance.hollow) json["hollow"] = true;
-  if (allowance.core) json["core"] = threadJson(*allowance.core);
-  if (allowance.evidence.sum() > 0.0) json["evidence"] = toJson(allowance.evidence);
-  if (allowance.pitch == 0.0) return json;
-  json["pitch_m"] = allowance.pitch;
-  json["turns"] = allowance.turns;
-  return json;
-}
+constexpr std::uint64_t kMostEffort = 64;
 
 constexpr EnumNames<ToolAccess, 3> kAccessNames{{"not_asked", "free", "blocked"}};
+/// Status of a certificate. A flexible body leaves without a proof.
+constexpr EnumNames<bool, 2> kStatusNames{{"not_certified", "certified"}};
 
-Json toJson(const StepTool& tool) {
-  Json json{{"kind", kToolNames.of(tool.kind)}, {"access", kAccessNames.of(tool.access)}};
-  if (!tool.blockedBy.empty()) json["blocked_by"] = tool.blockedBy;
-  if (!tool.turned.empty()) json["turned"] = tool.turned;
-  return json;
-}
+constexpr auto kIds = listOf(kNonEmptyText);
 
-Json toJson(const StepJoint& joint) {
-  Json json{{"kind", kJointKindNames.of(joint.kind)}, {"body", joint.body}, {"others", joint.others}};
-  if (!joint.clamped.empty()) json["clamped"] = joint.clamped;
-  if (!joint.designation.empty()) json["designation"] = joint.designation;
-  if (joint.drive != DriveKind::None) json["drive"] = kDriveNames.of(joint.drive);
-  if (joint.driveSize > 0.0) json["drive_size_m"] = joint.driveSize;
-  if (joint.bend > 0.0) json["bend_m"] = joint.bend;
-  if (joint.pitch == 0.0) return json;
-  json["diameter_m"] = joint.diameter;
-  json["pitch_m"] = joint.pitch;
-  json["pitch_stated"] = joint.isPitchStated;
-  json["turns"] = joint.turns;
-  return json;
-}
+constexpr FunctionFormat kEffort{[](const JsonCursor& at) {
+                                   const std::uint64_t effort = at.wholeNumber();
+                                   if (effort >= kMostEffort) at.fail(GLISSADE_TEXT("is too large"));
+                                   return static_cast<int>(effort);
+                                 },
+                                 kAsItIs, R"({"type": "integer", "minimum": 0, "maximum": 63})"};
 
-Json toJson(const AssemblyStep& step) {
-  Json json{{"bodies", step.bodies()},
-            {"method", step.method},
-            {"wave", step.wave},
-            {"after", step.after},
-            {"certificate", toJson(step.proof, step.certified)},
-            {"allowances", Json::array()}};
-  if (!step.falling.empty()) json["falling"] = step.falling;
-  if (step.fastener != FastenerKind::None) json["fastener"] = kFastenerNames.of(step.fastener);
-  if (step.tool.kind != ToolKind::None) json["tool"] = toJson(step.tool);
-  for (const Allowance& allowance : step.allowances) json["allowances"].push_back(toJson(allowance));
-  json["path"] = motionJson(step.path);
-  for (const StepViolation& violation : step.violates) {
-    json["violates"].push_back({{"rule", kRuleNames.of(violation.rule)}, {"bodies", violation.bodies}});
+/// Metres, or null: infinity.
+constexpr FunctionFormat kClearance{[](const JsonCursor& at) {
+                                      return at.json().is_null() ? std::numeric_limits<double>::infinity()
+                                                                 : kLengthOrZero.read(at);
+                                    },
+                                    [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); },
+                                    R"({"type": ["number", "null"], "minimum": 0})"};
+
+/// Id of a body, or null: none.
+constexpr FunctionFormat kIdOrNull{
+    [](const JsonCursor& at) { return at.json().is_null() ? std::string() : kNonEmptyText.read(at); },
+    [](const std::string& id) { return id.empty() ? Json(nullptr) : Json(id); },
+    R"({"type": ["string", "null"], "minLength": 1})"};
+
+/// A message as data; an empty message where the data is no message.
+struct MessageFormat {
+  Message read(const JsonCursor& at) const { return messageFrom(nlohmann::json(at.json())).value_or(Message()); }
+  Json write(const Message& message) const { return glissade::toJson(message); }
+  Json schema(SchemaDefinitions& definitions) const {
+    return definitions.reference("message", Json::parse(R"({
+      "description": "An English text with its arguments, which replace %1 to %9.",
+      "type": "object", "additionalProperties": false, "required": ["text"],
+      "properties": {
+        "text": {"type": "string"},
+        "arguments": {"type": "array", "items": {"anyOf": [
+          {"type": "string"},
+          {"type": "object", "additionalProperties": false, "required": ["length"],
+           "properties": {"length": {"description": "Metres.", "type": "number"}}},
+          {"type": "object", "additionalProperties": false, "required": ["depth"],
+           "properties": {"depth": {"description": "Depth of an overlap, metres.", "type": "number"}}},
+          {"$ref": "#/definitions/message"}]}}}})"));
   }
-  for (const StepJoint& joint : step.joints) json["joints"].push_back(toJson(joint));
-  if (step.task != 0) json["task"] = step.task;
-  if (step.unit) json["unit"] = true;
-  return json;
-}
+};
 
 /// Deepest nesting of a reason that is stored as data, because the JSON reader refuses files that nest deeper than 32.
 constexpr int kDeepestReason = 4;
@@ -123,328 +82,423 @@ bool isNestedWithin(int levels, const Message& message) {
          });
 }
 
-Json toJson(const StuckBody& stuck) {
-  Json json{{"part", stuck.body}, {"blocked_by", stuck.blockedBy}, {"reason", toString(stuck.reason)}};
-  if (!stuck.reason.empty() && isNestedWithin(kDeepestReason, stuck.reason)) {
-    json["reason_message"] = glissade::toJson(stuck.reason);
-  }
-  return json;
+bool isStoredAsData(const StuckBody& stuck) {
+  return !stuck.reason.empty() && isNestedWithin(kDeepestReason, stuck.reason);
 }
 
-Json toJson(const SubassemblyLine& line) {
-  Json json{{"step", line.step},
-            {"bodies", line.bodies},
-            {"staying", line.staying},
-            {"steps", Json::array()},
-            {"stuck", Json::array()}};
-  for (const AssemblyStep& step : line.steps) json["steps"].push_back(toJson(step));
-  for (const StuckBody& stuck : line.stuck) json["stuck"].push_back(toJson(stuck));
-  for (const SubassemblyLine& each : line.lines) json["lines"].push_back(toJson(each));
-  return json;
+/// The reason as data replaces the plain one, unless a person has edited the plain one.
+constexpr Accessor kReasonAsData{[](const StuckBody& stuck) { return stuck.reason; },
+                                 [](StuckBody& stuck, Message data) {
+                                   if (toString(data) == toString(stuck.reason)) stuck.reason = std::move(data);
+                                 }};
+
+/// The certificate of a step: its proof, and whether the motion is proved at all.
+struct StepCertificate : StepProof {
+  bool certified = true;
+};
+
+constexpr Accessor kCertificate{[](const AssemblyStep& step) {
+                                  return StepCertificate{step.proof, step.certified};
+                                },
+                                [](AssemblyStep& step, const StepCertificate& read) {
+                                  step.proof = read;
+                                  step.certified = read.certified;
+                                }};
+
+constexpr Accessor kBodies{[](const AssemblyStep& step) { return step.bodies(); },
+                           [](AssemblyStep& step, std::vector<std::string> ids) {
+                             if (ids.empty()) return;
+                             step.body = ids.front();
+                             step.with.assign(ids.begin() + 1, ids.end());
+                           }};
+
+bool isThreaded(const StepJoint& joint) { return joint.pitch != 0.0; }
+
+void checkPitch(const Allowance& allowance, const JsonCursor& at) {
+  if (allowance.pitch != 0.0) return;
+  if (at.has("pitch_m")) at.at("pitch_m").fail(GLISSADE_TEXT("is not a pitch"));
+  if (at.has("turns")) at.at("turns").fail(GLISSADE_TEXT("is without a pitch"));
 }
 
-/// Reads one plan. Throws JsonError.
-class PlanReader {
+}  // namespace
+
+template <class Archive>
+void describe(Archive& proof, Type<StepCertificate> /*type*/) {
+  proof.type("certificate",
+             "The motion keeps the required clearance from all bodies that are there after so many steps of the plan. "
+             "Null: no body is there.");
+  proof.required("status", &StepCertificate::certified, named(kStatusNames),
+                 "not_certified: the motion of a flexible body is not proved.");
+  proof.required("after_steps", &StepProof::afterSteps, kCount);
+  proof.required("required_m", &StepProof::required, kLengthOrZero);
+  proof.required("proved_clearance_m", &StepProof::provedClearance, kClearance);
+  proof.required("min_clearance_m", &StepProof::minClearance, kClearance);
+  proof.required("nearest", &StepProof::nearest, kIdOrNull);
+  proof.check([](const StepCertificate& read, const JsonCursor& at) {
+    if (read.certified && read.required <= 0.0) at.at("required_m").fail(GLISSADE_TEXT("is not above zero"));
+  });
+}
+
+template <class Archive>
+void describe(Archive& evidence, Type<evidence::Evidence> /*type*/) {
+  using evidence::Evidence;
+  evidence.type("evidence", "Evidence for the largest allowance of the pair, metres.");
+  evidence.required("overlap_m", &Evidence::overlap, kLengthOrZero, "The overlap as measured.");
+  evidence.required("deflection_m", &Evidence::deflection, kLengthOrZero, "The deflections of the files.");
+  evidence.required("spacing_m", &Evidence::spacing, kLengthOrZero, "The coordinate spacing of the files.");
+  evidence.required("margin_m", &Evidence::margin, kLengthOrZero, "The margin that remains.");
+  evidence.optional("by_person_m", &Evidence::byPerson, kLengthOrZero, "The allowance of a person.");
+}
+
+template <class Archive>
+void describe(Archive& thread, Type<evidence::StatedThread> /*type*/) {
+  using evidence::StatedThread;
+  thread.type("stated_thread", "A thread in the world frame, where the product is assembled. Metres.");
+  thread.required("point_m", &StatedThread::point, kVector, "A point on the axis.");
+  thread.required("direction", &StatedThread::direction, kVector);
+  thread.required("pitch_m", &StatedThread::pitch, kCoordinate, "Metres a turn; below 0: left-handed.");
+  thread.required("radius_moving_m", &StatedThread::radiusMoving, kLength);
+  thread.required("radius_other_m", &StatedThread::radiusOther, kLength);
+  thread.check([](const StatedThread& read, const JsonCursor& at) {
+    if (!(read.direction.norm() > 0.0)) at.at("direction").fail(GLISSADE_TEXT("has no direction"));
+  });
+}
+
+template <class Archive>
+void describe(Archive& allowance, Type<Allowance> /*type*/) {
+  allowance.type("allowance");
+  allowance.required("body", &Allowance::body, kNonEmptyText);
+  allowance.required("kind", &Allowance::kind, named(kContactKindNames));
+  allowance.required("overlap_m", &Allowance::overlap, kLengthOrZero);
+  allowance.required("allowance_m", &Allowance::allowance, kLengthOrZero);
+  allowance.required("text", &Allowance::text, kEnglish);
+  allowance.optional("moving", &Allowance::moving, kNonEmptyText,
+                     "The body of the step that has the fit. Absent: the first one.");
+  allowance.optional("yields", &Allowance::yields, kBoolean, "The other body is taken thinner, not the moving one.");
+  allowance.optional("hollow", &Allowance::hollow, kBoolean,
+                     "The volume that the other body of the pair fills is taken away from the thinner one: a clash "
+                     "that a person accepts. The allowance is the depth. The pair has a second allowance, by which the "
+                     "other body is taken thinner all around.");
+  allowance.optional("core", &Allowance::core, kObject<evidence::StatedThread>,
+                     "The thread of the thinner body, which is taken away against the other one: the pair comes apart "
+                     "by turning only.");
+  allowance.optional("evidence", &Allowance::evidence, kObject<evidence::Evidence>, "",
+                     [](const Allowance& written) { return written.evidence.sum() > 0.0; });
+  allowance.optional("pitch_m", &Allowance::pitch, kCoordinate,
+                     "Pitch of a thread, which the body leaves by turning only: metres a turn; below 0: left-handed.");
+  allowance.optional("turns", &Allowance::turns, kLengthOrZero, "Full turns of the body in the thread.",
+                     [](const Allowance& written) { return written.pitch != 0.0; });
+  allowance.check(checkPitch);
+}
+
+template <class Archive>
+void describe(Archive& tool, Type<StepTool> /*type*/) {
+  tool.type("tool",
+            "The tool that turns the fastener, and whether it can be brought on when the step begins. Absent: none is "
+            "needed.");
+  tool.required("kind", &StepTool::kind, named(kToolNames));
+  tool.required("access", &StepTool::access, named(kAccessNames));
+  tool.optional("blocked_by", &StepTool::blockedBy, kIds);
+  tool.optional("turned", &StepTool::turned, kNonEmptyText,
+                "Id of the bolt that the tool turns while the nut of the step is held. Absent: it turns the fastener.");
+}
+
+template <class Archive>
+void describe(Archive& violation, Type<StepViolation> /*type*/) {
+  violation.type("violation");
+  violation.required("rule", &StepViolation::rule, named(kRuleNames),
+                     "before: these bodies are demanded to leave before; fastener: these nuts are still on it; "
+                     "standing: these bodies fall; place: no other body could leave before it, so it comes at another "
+                     "place; joint: these bodies still hold it, as screws hold what they clamp.");
+  violation.required("bodies", &StepViolation::bodies, kIds);
+}
+
+template <class Archive>
+void describe(Archive& joint, Type<StepJoint> /*type*/) {
+  joint.type("step_joint");
+  joint.required("kind", &StepJoint::kind, named(kJointKindNames));
+  joint.required("body", &StepJoint::body, kNonEmptyText, "The screw, the nut, the pin, the flexible body.");
+  joint.required("others", &StepJoint::others, kIds,
+                 "The bodies that the thread is in or on, that a pin is in, that a flexible body goes around.");
+  joint.optional("clamped", &StepJoint::clamped, kIds,
+                 "The bodies between head and thread, the nearest to the head first.");
+  joint.optional("designation", &StepJoint::designation, kText);
+  joint.optional("drive", &StepJoint::drive, named(kDriveNames));
+  joint.optional("drive_size_m", &StepJoint::driveSize, kLengthOrZero);
+  joint.optional("bend_m", &StepJoint::bend, kLengthOrZero, "Bend of the hook of a snap.");
+  joint.optional("diameter_m", &StepJoint::diameter, kLengthOrZero, "", isThreaded);
+  joint.optional("pitch_m", &StepJoint::pitch, kCoordinate, "Metres a turn; below 0: left-handed.", isThreaded);
+  joint.optional("pitch_stated", &StepJoint::isPitchStated, kBoolean,
+                 "The pitch is modelled, or a person states it; else it is the coarse pitch of ISO 261.", isThreaded);
+  joint.optional("turns", &StepJoint::turns, kLengthOrZero, "Full turns of the step's motion.", isThreaded);
+}
+
+template <class Archive>
+void describe(Archive& step, Type<AssemblyStep> /*type*/) {
+  step.type("step");
+  step.required("bodies", kBodies, listOf(kNonEmptyText, 1), "The bodies that leave, several as one rigid body.");
+  step.required("method", &AssemblyStep::method, kText,
+                "straight, turned (out of a thread), by hand, flexible (not proved), or auto and the member that found "
+                "the motion.");
+  step.required("wave", &AssemblyStep::wave, kCount, "Steps of one wave were found together, from 1.");
+  step.optional("after", &AssemblyStep::after, listOf(kCountFrom1),
+                "Numbers, from 1, of the steps that have to be carried out before. Absent: all earlier ones.",
+                Always());
+  step.required("certificate", kCertificate, kObject<StepCertificate>);
+  step.required("allowances", &AssemblyStep::allowances, kObjects<Allowance>);
+  step.optional("falling", &AssemblyStep::falling, kIds,
+                "Bodies that stand before the step, and would tip or fall after it. Absent: none, or not asked.");
+  step.optional("fastener", &AssemblyStep::fastener, named(kFastenerNames), "Kind of the body. Absent: no fastener.");
+  step.optional("tool", &AssemblyStep::tool, kObject<StepTool>, "",
+                [](const AssemblyStep& written) { return written.tool.kind != ToolKind::None; });
+  step.required("path", &AssemblyStep::path, MotionFormat(),
+                "Straight motions of a frame between these configurations. At the first one the product is assembled. "
+                "The frame of a single body is at its reference point. A body of the step is at X(t) X(0)^-1 X_WB, "
+                "where X_WB is its assembled configuration.");
+  step.optional("violates", &AssemblyStep::violates, kObjects<StepViolation>,
+                "Rules that a step breaks because a person has put it at its place. Absent: none.");
+  step.optional("joints", &AssemblyStep::joints, kObjects<StepJoint>,
+                "Joints that come apart by the step. Absent: none.");
+  step.optional("task", &AssemblyStep::task, kCountFrom1,
+                "Steps of one task have the same number, from 1: alike screws that clamp the same bodies. Absent: the "
+                "step is a task alone.");
+  step.optional("unit", &AssemblyStep::unit, kBoolean,
+                "The bodies are one unit: joints hold them together, and the plan does not take them apart.");
+}
+
+template <class Archive>
+void describe(Archive& stuck, Type<StuckBody> /*type*/) {
+  stuck.type("stuck");
+  stuck.required("part", &StuckBody::body, kNonEmptyText);
+  stuck.required("blocked_by", &StuckBody::blockedBy, kIds);
+  stuck.optional("reason", &StuckBody::reason, kEnglish, "The reason for people, in English.", Always());
+  stuck.optional("reason_message", kReasonAsData, MessageFormat(),
+                 "The reason in a form that can be shown in other languages. It counts while its English text is the "
+                 "reason.",
+                 isStoredAsData);
+}
+
+template <class Archive>
+void describe(Archive& line, Type<SubassemblyLine> /*type*/) {
+  line.type("line",
+            "The disassembly of a group that has left, in a frame of the group: only its bodies are there, as they "
+            "stand in the assembled product.");
+  line.required("step", &SubassemblyLine::step, kCountFrom1,
+                "The step by which the group has left, number from 1, of the plan or of the line above.");
+  line.required("bodies", &SubassemblyLine::bodies, kIds);
+  line.required("staying", &SubassemblyLine::staying, kIds, "The bodies that remain as the base.");
+  line.required("steps", &SubassemblyLine::steps, kObjects<AssemblyStep>);
+  line.required("stuck", &SubassemblyLine::stuck, kObjects<StuckBody>);
+  line.optional("lines", &SubassemblyLine::lines, kObjects<SubassemblyLine>);
+}
+
+template <class Archive>
+void describe(Archive& refusal, Type<RefusedRemoval> /*type*/) {
+  refusal.type("refusal",
+               "A search that need not be repeated with this effort (0: straight lines) while all of these bodies are "
+               "there.");
+  refusal.required("part", &RefusedRemoval::body, kNonEmptyText);
+  refusal.required("effort", &RefusedRemoval::effort, kEffort);
+  refusal.required("after_steps", &RefusedRemoval::afterSteps, kCount);
+  refusal.required("blocked_by", &RefusedRemoval::blockedBy, kIds);
+  refusal.optional("with", &RefusedRemoval::with, kIds, "The other bodies of a group.");
+}
+
+template <class Archive>
+void describe(Archive& plan, Type<AssemblyPlan> /*type*/) {
+  plan.type("plan");
+  plan.required("strategy", &AssemblyPlan::strategy, kNonEmptyText);
+  plan.required("seed", &AssemblyPlan::seed, kCount);
+  plan.optional("deflection_m", &AssemblyPlan::deflection, kLengthOrZero,
+                "How far triangles may be off the surfaces of the product's STEP file. 0 or absent: by the size of "
+                "each part.",
+                Always());
+  plan.computed(
+      "parts", [](const AssemblyPlan& of) { return of.parts(); }, kCount, "Bodies that are to leave.");
+  plan.computed(
+      "removed", [](const AssemblyPlan& of) { return of.removed(); }, kCount, "Bodies that leave.");
+  plan.computed("apart", bodiesApart, kCount,
+                "Bodies that leave alone, as a unit, or with their insert: the rest remains in groups.");
+  plan.required("end", &AssemblyPlan::end, named(kPlanEndNames));
+  plan.computed(
+      "certified", [](const AssemblyPlan& of) { return of.removedWithoutProof() == 0; }, kBoolean,
+      "Every step is certified. False: a flexible body leaves without a proof.");
+  plan.required("bodies", &AssemblyPlan::bodies, kIds, "All bodies of the product, in its order.");
+  plan.required("staying", &AssemblyPlan::staying, kIds);
+  plan.required("steps", &AssemblyPlan::steps, kObjects<AssemblyStep>);
+  plan.required("stuck", &AssemblyPlan::stuck, kObjects<StuckBody>);
+  plan.required("refusals", &AssemblyPlan::refusals,
+                listOf(kObject<RefusedRemoval>, 0, kMostEffort * limits::kMostBodies));
+  plan.optional("sequence", &AssemblyPlan::demands, kObject<SequenceDemands>,
+                "The demands and the knowledge, as in the section sequence of scenarios.");
+  plan.optional("waiting", &AssemblyPlan::waiting, kObjects<AssemblyStep>,
+                "Motions of a plan that has not ended: they were found and wait, because bodies would fall.");
+  plan.optional("lines", &AssemblyPlan::lines, kObjects<SubassemblyLine>,
+                "The disassembly of the groups that have left, by step. Absent: none.");
+}
+
+namespace {
+
+/// Checks that a plan, or the line of a group, names its own bodies, that no body leaves twice, and that steps name
+/// earlier steps. Completes `after` of steps that do not state it.
+class PlanCheck {
  public:
-  AssemblyPlan read(const JsonCursor& at) {
-    at.allowOnly({"format", "version", "program",  "product", "strategy",  "seed",   "deflection_m",
-                  "parts",  "removed", "apart",    "end",     "certified", "bodies", "staying",
-                  "steps",  "stuck",   "refusals", "waiting", "sequence",  "lines"});
-    if (at.at("format").text() != kPlanFormat) at.at("format").fail({GLISSADE_TEXT("is not \"%1\""), {kPlanFormat}});
-    if (at.at("version").wholeNumber() != 1)
-      at.at("version").fail(GLISSADE_TEXT("is not 1"), GLISSADE_TEXT("Use a newer Glissade."));
-    plan_.strategy = at.at("strategy").nonEmptyText();
-    plan_.seed = at.at("seed").wholeNumber();
-    if (const auto demands = at.find("sequence")) plan_.demands = readSequence(*demands);
-    if (const auto deflection = at.find("deflection_m")) plan_.deflection = readLength(*deflection);
-    plan_.end = at.at("end").named(kPlanEndNames);
-    readBodies(at.at("bodies"));
-    plan_.staying = readIds(at.at("staying"));
-    for (std::size_t i = 0; i < plan_.staying.size(); ++i) {
-      if (!gone_.insert(plan_.staying[i]).second) at.at("staying").element(i).fail(GLISSADE_TEXT("is there twice"));
+  PlanCheck(const std::vector<std::string>& bodies, const std::vector<std::string>& staying, const JsonCursor& at) {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      if (!known_.insert(bodies[i]).second) at.at("bodies").element(i).fail(GLISSADE_TEXT("is there twice"));
     }
-    const JsonCursor steps = at.at("steps");
-    for (std::size_t i = 0; i < steps.sizeUpTo(limits::kMostBodies); ++i) {
-      plan_.steps.push_back(readStep(steps.element(i)));
-      for (const std::string& id : plan_.steps.back().bodies()) gone_.insert(id);
+    expectKnown(staying, at.at("staying"));
+    for (std::size_t i = 0; i < staying.size(); ++i) {
+      if (!gone_.insert(staying[i]).second) at.at("staying").element(i).fail(GLISSADE_TEXT("is there twice"));
     }
-    const auto waiting = at.find("waiting");
-    for (std::size_t i = 0; waiting && i < waiting->sizeUpTo(limits::kMostBodies); ++i) {
-      plan_.waiting.push_back(readStep(waiting->element(i)));
+  }
+
+  void checkSteps(std::vector<AssemblyStep>& steps, const JsonCursor& at) {
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      checkStep(steps[i], at.element(i));
+      for (const std::string& id : steps[i].bodies()) gone_.insert(id);
+      ++steps_;
     }
-    const JsonCursor stuck = at.at("stuck");
-    for (std::size_t i = 0; i < stuck.sizeUpTo(limits::kMostBodies); ++i) {
-      plan_.stuck.push_back(readStuck(stuck.element(i)));
+  }
+
+  void checkWaiting(std::vector<AssemblyStep>& steps, const JsonCursor& at) const {
+    for (std::size_t i = 0; i < steps.size(); ++i) checkStep(steps[i], at.element(i));
+  }
+
+  void checkStuck(const std::vector<StuckBody>& stuck, const JsonCursor& list) const {
+    for (std::size_t i = 0; i < stuck.size(); ++i) {
+      const JsonCursor at = list.element(i);
+      expectKnown(stuck[i].body, at.at("part"));
+      expectKnown(stuck[i].blockedBy, at.at("blocked_by"));
+      if (gone_.count(stuck[i].body) != 0) at.at("part").fail(GLISSADE_TEXT("is fixed as base, or was removed"));
     }
-    const auto lines = at.find("lines");
-    for (std::size_t i = 0; lines && i < lines->sizeUpTo(limits::kMostBodies); ++i) {
-      plan_.lines.push_back(readLine(lines->element(i), plan_.steps.size(), 0));
+  }
+
+  /// All bodies of a line are present at its beginning, and those that stay cannot leave.
+  void checkLines(std::vector<SubassemblyLine>& lines, const JsonCursor& list) const {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      SubassemblyLine& line = lines[i];
+      const JsonCursor at = list.element(i);
+      if (line.step > steps_) at.at("step").fail(GLISSADE_TEXT("is not a step before it"));
+      expectKnown(line.bodies, at.at("bodies"));
+      PlanCheck inner(line.bodies, line.staying, at);
+      inner.checkSteps(line.steps, at.at("steps"));
+      inner.checkStuck(line.stuck, at.at("stuck"));
+      if (const auto below = at.find("lines")) inner.checkLines(line.lines, *below);
     }
-    const JsonCursor refusals = at.at("refusals");
-    for (std::size_t i = 0; i < refusals.sizeUpTo(kMostEffort * limits::kMostBodies); ++i) {
-      readRefusal(refusals.element(i));
+  }
+
+  void checkRefusals(const std::vector<RefusedRemoval>& refusals, const JsonCursor& list) const {
+    for (std::size_t i = 0; i < refusals.size(); ++i) {
+      const JsonCursor at = list.element(i);
+      expectKnown(refusals[i].body, at.at("part"));
+      expectBefore(refusals[i].afterSteps, at.at("after_steps"));
+      expectKnown(refusals[i].blockedBy, at.at("blocked_by"));
+      if (const auto with = at.find("with")) expectKnown(refusals[i].with, *with);
     }
-    return std::move(plan_);
   }
 
  private:
-  void readBodies(const JsonCursor& at) {
-    for (std::size_t i = 0; i < at.sizeUpTo(limits::kMostBodies); ++i) {
-      plan_.bodies.push_back(at.element(i).nonEmptyText());
-      if (!known_.insert(plan_.bodies.back()).second) at.element(i).fail(GLISSADE_TEXT("is there twice"));
+  void expectKnown(const std::string& id, const JsonCursor& at) const {
+    if (known_.count(id) == 0) at.fail(GLISSADE_TEXT("is none of the plan's bodies"));
+  }
+  void expectKnown(const std::vector<std::string>& ids, const JsonCursor& at) const {
+    for (std::size_t i = 0; i < ids.size(); ++i) expectKnown(ids[i], at.element(i));
+  }
+  /// `after`: a number of preceding steps, at most the number of steps so far.
+  void expectBefore(std::size_t after, const JsonCursor& at) const {
+    if (after > steps_) at.fail(GLISSADE_TEXT("is more than the steps before it"));
+  }
+
+  void checkStep(AssemblyStep& step, const JsonCursor& at) const {
+    checkBodies(step, at.at("bodies"));
+    completeAfter(step, at);
+    if (const auto tool = at.find("tool")) {
+      if (const auto blockers = tool->find("blocked_by")) expectKnown(step.tool.blockedBy, *blockers);
+      if (const auto turned = tool->find("turned")) expectKnown(step.tool.turned, *turned);
+    }
+    if (const auto falling = at.find("falling")) expectKnown(step.falling, *falling);
+    for (std::size_t i = 0; i < step.violates.size(); ++i) {
+      expectKnown(step.violates[i].bodies, at.at("violates").element(i).at("bodies"));
+    }
+    const JsonCursor certificate = at.at("certificate");
+    expectBefore(step.proof.afterSteps, certificate.at("after_steps"));
+    if (!step.proof.nearest.empty()) expectKnown(step.proof.nearest, certificate.at("nearest"));
+    for (std::size_t i = 0; i < step.joints.size(); ++i) checkJoint(step.joints[i], at.at("joints").element(i));
+    for (std::size_t i = 0; i < step.allowances.size(); ++i) {
+      const JsonCursor allowance = at.at("allowances").element(i);
+      expectKnown(step.allowances[i].body, allowance.at("body"));
+      if (const auto moving = allowance.find("moving")) expectKnown(step.allowances[i].moving, *moving);
     }
   }
 
-  std::string readId(const JsonCursor& at) const {
-    std::string id = at.text();
-    if (known_.count(id) == 0) at.fail(GLISSADE_TEXT("is none of the plan's bodies"));
-    return id;
-  }
-
-  std::vector<std::string> readIds(const JsonCursor& at) const {
-    std::vector<std::string> ids;
-    for (std::size_t i = 0; i < at.sizeUpTo(limits::kMostBodies); ++i) ids.push_back(readId(at.element(i)));
-    return ids;
-  }
-
-  /// Reads a number of preceding steps, at most the number of steps read so far.
-  std::size_t readAfter(const JsonCursor& at) const {
-    const std::uint64_t after = at.wholeNumber();
-    if (after > plan_.steps.size()) at.fail(GLISSADE_TEXT("is more than the steps before it"));
-    return static_cast<std::size_t>(after);
-  }
-
-  static double readLength(const JsonCursor& at) {
-    if (at.json().is_null()) return std::numeric_limits<double>::infinity();
-    const double value = at.coordinate();
-    if (value < 0.0) at.fail(GLISSADE_TEXT("is below zero"));
-    return value;
-  }
-
-  AssemblyStep readStep(const JsonCursor& at) const {
-    at.allowOnly({"bodies", "method", "wave", "after", "fastener", "tool", "falling", "certificate", "allowances",
-                  "path", "violates", "joints", "task", "unit"});
-    AssemblyStep step;
-    const JsonCursor bodies = at.at("bodies");
-    std::vector<std::string> ids = readIds(bodies);
-    if (ids.empty()) bodies.fail(GLISSADE_TEXT("is empty"), GLISSADE_TEXT("Name the bodies that are removed."));
+  void checkBodies(const AssemblyStep& step, const JsonCursor& at) const {
+    const std::vector<std::string> ids = step.bodies();
+    expectKnown(ids, at);
     std::set<std::string> gone = gone_;
     for (std::size_t i = 0; i < ids.size(); ++i) {
-      if (!gone.insert(ids[i]).second) bodies.element(i).fail(GLISSADE_TEXT("is fixed as base, or was removed before"));
+      if (!gone.insert(ids[i]).second) at.element(i).fail(GLISSADE_TEXT("is fixed as base, or was removed before"));
     }
-    step.body = ids.front();
-    step.with.assign(ids.begin() + 1, ids.end());
-    step.after = readPredecessors(at);
-    if (const auto fastener = at.find("fastener")) step.fastener = fastener->named(kFastenerNames);
-    if (const auto tool = at.find("tool")) step.tool = readTool(*tool);
-    step.method = at.at("method").text();
-    if (const auto falling = at.find("falling")) step.falling = readIds(*falling);
-    const auto violates = at.find("violates");
-    for (std::size_t i = 0; violates && i < violates->sizeUpTo(kRuleNames.names.size()); ++i) {
-      step.violates.push_back(readViolation(violates->element(i)));
+  }
+
+  void completeAfter(AssemblyStep& step, const JsonCursor& at) const {
+    const auto stated = at.find("after");
+    for (std::size_t number = 1; !stated && number <= steps_; ++number) step.after.push_back(number);
+    for (std::size_t i = 0; stated && i < step.after.size(); ++i) {
+      if (step.after[i] > steps_) stated->element(i).fail(GLISSADE_TEXT("is not an earlier step"));
     }
-    step.wave = static_cast<std::size_t>(at.at("wave").wholeNumber());
-    step.certified = readCertified(at.at("certificate").at("status"));
-    step.proof = readProof(at.at("certificate"), step.certified);
-    const auto joints = at.find("joints");
-    for (std::size_t i = 0; joints && i < joints->sizeUpTo(limits::kMostBodies); ++i) {
-      step.joints.push_back(readJoint(joints->element(i)));
-    }
-    if (const auto task = at.find("task")) step.task = static_cast<std::size_t>(task->wholeNumber());
-    if (const auto unit = at.find("unit")) step.unit = unit->boolean();
-    const JsonCursor allowances = at.at("allowances");
-    for (std::size_t i = 0; i < allowances.sizeUpTo(limits::kMostBodies); ++i) {
-      step.allowances.push_back(readAllowance(allowances.element(i)));
-    }
-    step.path = readMotion(at.at("path"));
-    return step;
   }
 
-  StepViolation readViolation(const JsonCursor& at) const {
-    at.allowOnly({"rule", "bodies"});
-    return {at.at("rule").named(kRuleNames), readIds(at.at("bodies"))};
-  }
-
-  StepTool readTool(const JsonCursor& at) const {
-    at.allowOnly({"kind", "access", "blocked_by", "turned"});
-    StepTool tool{at.at("kind").named(kToolNames), at.at("access").named(kAccessNames)};
-    if (const auto blockers = at.find("blocked_by")) tool.blockedBy = readIds(*blockers);
-    if (const auto turned = at.find("turned")) tool.turned = readId(*turned);
-    return tool;
-  }
-
-  /// Reads the predecessors; all earlier steps where the file does not state them.
-  std::vector<std::size_t> readPredecessors(const JsonCursor& step) const {
-    std::vector<std::size_t> after;
-    const auto at = step.find("after");
-    for (std::size_t number = 1; !at && number <= plan_.steps.size(); ++number) after.push_back(number);
-    for (std::size_t i = 0; at && i < at->sizeUpTo(limits::kMostBodies); ++i) {
-      const std::uint64_t number = at->element(i).wholeNumber();
-      if (number == 0 || number > plan_.steps.size()) at->element(i).fail(GLISSADE_TEXT("is not an earlier step"));
-      after.push_back(static_cast<std::size_t>(number));
-    }
-    return after;
-  }
-
-  static bool readCertified(const JsonCursor& at) {
-    const std::string status = at.text();
-    if (status != kCertified && status != kNotCertified) at.fail(GLISSADE_TEXT("is not certified or not_certified"));
-    return status == kCertified;
-  }
-
-  StepJoint readJoint(const JsonCursor& at) const {
-    at.allowOnly({"kind", "body", "others", "clamped", "designation", "drive", "drive_size_m", "bend_m", "diameter_m",
-                  "pitch_m", "pitch_stated", "turns"});
-    StepJoint joint{at.at("kind").named(kJointKindNames), readId(at.at("body")), readIds(at.at("others"))};
-    if (const auto clamped = at.find("clamped")) joint.clamped = readIds(*clamped);
-    if (const auto designation = at.find("designation")) joint.designation = designation->text();
-    if (const auto drive = at.find("drive")) joint.drive = drive->named(kDriveNames);
-    if (const auto size = at.find("drive_size_m")) joint.driveSize = readLength(*size);
-    if (const auto bend = at.find("bend_m")) joint.bend = readLength(*bend);
-    if (const auto diameter = at.find("diameter_m")) joint.diameter = readLength(*diameter);
-    if (const auto pitch = at.find("pitch_m")) joint.pitch = pitch->coordinate();
-    if (const auto stated = at.find("pitch_stated")) joint.isPitchStated = stated->boolean();
-    if (const auto turns = at.find("turns")) joint.turns = readLength(*turns);
-    return joint;
-  }
-
-  StepProof readProof(const JsonCursor& at, bool certified) const {
-    at.allowOnly({"status", "after_steps", "required_m", "proved_clearance_m", "min_clearance_m", "nearest"});
-    StepProof proof;
-    proof.afterSteps = readAfter(at.at("after_steps"));
-    if (!certified) return proof;
-    proof.required = at.at("required_m").positiveNumber();
-    proof.provedClearance = readLength(at.at("proved_clearance_m"));
-    proof.minClearance = readLength(at.at("min_clearance_m"));
-    if (!at.at("nearest").json().is_null()) proof.nearest = readId(at.at("nearest"));
-    return proof;
-  }
-
-  static evidence::Evidence readEvidence(const JsonCursor& at) {
-    at.allowOnly({"overlap_m", "deflection_m", "spacing_m", "margin_m", "by_person_m"});
-    evidence::Evidence evidence{readLength(at.at("overlap_m")), readLength(at.at("deflection_m")),
-                                readLength(at.at("spacing_m")), readLength(at.at("margin_m"))};
-    if (const auto person = at.find("by_person_m")) evidence.byPerson = readLength(*person);
-    return evidence;
-  }
-
-  Allowance readAllowance(const JsonCursor& at) const {
-    at.allowOnly({"body", "kind", "overlap_m", "allowance_m", "text", "moving", "yields", "hollow", "core", "evidence",
-                  "pitch_m", "turns"});
-    Allowance allowance{readId(at.at("body")), at.at("kind").named(kContactKindNames), readLength(at.at("overlap_m")),
-                        readLength(at.at("allowance_m")), Message(at.at("text").text())};
-    if (const auto moving = at.find("moving")) allowance.moving = readId(*moving);
-    if (const auto yields = at.find("yields")) allowance.yields = yields->boolean();
-    if (const auto hollow = at.find("hollow")) allowance.hollow = hollow->boolean();
-    if (const auto core = at.find("core")) allowance.core = check::readThread(*core);
-    if (const auto evidence = at.find("evidence")) allowance.evidence = readEvidence(*evidence);
-    if (const auto pitch = at.find("pitch_m")) {
-      allowance.pitch = pitch->coordinate();
-      if (allowance.pitch == 0.0) pitch->fail(GLISSADE_TEXT("is not a pitch"));
-    }
-    if (const auto turns = at.find("turns")) {
-      allowance.turns = readLength(*turns);
-      if (allowance.pitch == 0.0) turns->fail(GLISSADE_TEXT("is without a pitch"));
-    }
-    return allowance;
-  }
-
-  /// The reason as data, unless its English text differs from the plain one, which a person may have edited.
-  static Message readReason(const JsonCursor& at) {
-    const auto reason = at.find("reason");
-    if (!reason) return {};
-    const auto data = at.find("reason_message");
-    const auto message = data ? messageFrom(nlohmann::json(data->json())) : std::nullopt;
-    return message && toString(*message) == reason->text() ? *message : Message(reason->text());
-  }
-
-  StuckBody readStuck(const JsonCursor& at) const {
-    at.allowOnly({"part", "blocked_by", "reason", "reason_message"});
-    StuckBody stuck{readId(at.at("part")), readIds(at.at("blocked_by"))};
-    stuck.reason = readReason(at);
-    if (gone_.count(stuck.body) != 0) at.at("part").fail(GLISSADE_TEXT("is fixed as base, or was removed"));
-    return stuck;
-  }
-
-  /// Reads the line of a group. All its bodies are present at its beginning, and those that stay cannot leave. `steps`:
-  /// number of steps of the plan that contains it.
-  SubassemblyLine readLine(const JsonCursor& at, std::size_t steps, std::size_t depth) const {
-    at.allowOnly({"step", "bodies", "staying", "steps", "stuck", "lines"});
-    if (depth == kMostLines) at.fail({GLISSADE_TEXT("is deeper than %1 lines"), {kMostLines}});
-    SubassemblyLine line;
-    line.step = static_cast<std::size_t>(at.at("step").wholeNumber());
-    if (line.step == 0 || line.step > steps) at.at("step").fail(GLISSADE_TEXT("is not a step before it"));
-    line.bodies = readIds(at.at("bodies"));
-    line.staying = readIds(at.at("staying"));
-    PlanReader inner;
-    inner.known_ = {line.bodies.begin(), line.bodies.end()};
-    inner.gone_ = {line.staying.begin(), line.staying.end()};
-    const JsonCursor own = at.at("steps");
-    for (std::size_t i = 0; i < own.sizeUpTo(limits::kMostBodies); ++i) {
-      inner.plan_.steps.push_back(inner.readStep(own.element(i)));
-      for (const std::string& id : inner.plan_.steps.back().bodies()) inner.gone_.insert(id);
-    }
-    const JsonCursor stuck = at.at("stuck");
-    for (std::size_t i = 0; i < stuck.sizeUpTo(limits::kMostBodies); ++i) {
-      line.stuck.push_back(inner.readStuck(stuck.element(i)));
-    }
-    line.steps = std::move(inner.plan_.steps);
-    const auto lines = at.find("lines");
-    for (std::size_t i = 0; lines && i < lines->sizeUpTo(limits::kMostBodies); ++i) {
-      line.lines.push_back(inner.readLine(lines->element(i), line.steps.size(), depth + 1));
-    }
-    return line;
-  }
-
-  void readRefusal(const JsonCursor& at) {
-    at.allowOnly({"part", "with", "effort", "after_steps", "blocked_by"});
-    const std::uint64_t effort = at.at("effort").wholeNumber();
-    if (effort >= kMostEffort) at.at("effort").fail(GLISSADE_TEXT("is too large"));
-    plan_.refusals.push_back({readId(at.at("part")), static_cast<int>(effort), readAfter(at.at("after_steps")),
-                              readIds(at.at("blocked_by"))});
-    if (const auto with = at.find("with")) plan_.refusals.back().with = readIds(*with);
+  void checkJoint(const StepJoint& joint, const JsonCursor& at) const {
+    expectKnown(joint.body, at.at("body"));
+    expectKnown(joint.others, at.at("others"));
+    if (const auto clamped = at.find("clamped")) expectKnown(joint.clamped, *clamped);
   }
 
   std::set<std::string> known_;
   std::set<std::string> gone_;
-  AssemblyPlan plan_;
+  std::size_t steps_ = 0;  ///< number of steps that are checked
 };
+
+void checkPlan(PlanDocument& document, const JsonCursor& at) {
+  AssemblyPlan& plan = document.plan;
+  PlanCheck check(plan.bodies, plan.staying, at);
+  check.checkSteps(plan.steps, at.at("steps"));
+  if (const auto waiting = at.find("waiting")) check.checkWaiting(plan.waiting, *waiting);
+  check.checkStuck(plan.stuck, at.at("stuck"));
+  if (const auto lines = at.find("lines")) check.checkLines(plan.lines, *lines);
+  check.checkRefusals(plan.refusals, at.at("refusals"));
+}
 
 }  // namespace
 
-Json planJson(const AssemblyPlan& plan, const std::string& product) {
-  Json json{{"format", kPlanFormat},
-            {"version", 1},
-            {"program", std::string("Glissade ") + kVersion},
-            {"product", product},
-            {"strategy", plan.strategy},
-            {"seed", plan.seed},
-            {"deflection_m", plan.deflection},
-            {"parts", plan.parts()},
-            {"removed", plan.removed()},
-            {"apart", bodiesApart(plan)},
-            {"end", kPlanEndNames.of(plan.end)},
-            {"certified", plan.removedWithoutProof() == 0},
-            {"bodies", plan.bodies},
-            {"staying", plan.staying},
-            {"steps", Json::array()},
-            {"stuck", Json::array()},
-            {"refusals", Json::array()}};
-  addSequence(plan.demands, json);
-  for (const AssemblyStep& step : plan.steps) json["steps"].push_back(toJson(step));
-  for (const AssemblyStep& step : plan.waiting) json["waiting"].push_back(toJson(step));
-  for (const StuckBody& stuck : plan.stuck) json["stuck"].push_back(toJson(stuck));
-  for (const SubassemblyLine& line : plan.lines) json["lines"].push_back(toJson(line));
-  for (const RefusedRemoval& refused : plan.refusals) {
-    json["refusals"].push_back({{"part", refused.body},
-                                {"effort", refused.effort},
-                                {"after_steps", refused.afterSteps},
-                                {"blocked_by", refused.blockedBy}});
-    if (!refused.with.empty()) json["refusals"].back()["with"] = refused.with;
-  }
-  return json;
+template <class Archive>
+void describe(Archive& document, Type<PlanDocument> /*type*/) {
+  document.type("plan_document",
+                "In which order the bodies of a product leave, each with a certified motion; assembly is the reverse. "
+                "Lengths are in metres. Bodies are named by their ids.");
+  document.constant("format", kPlanFormat);
+  document.constant("version", 1);
+  document.optional("program", &PlanDocument::program, kText, "", Always());
+  document.optional("product", &PlanDocument::product, kText, "The file that was planned, as it was named.", Always());
+  document.embed(&PlanDocument::plan);
+  document.check(checkPlan);
 }
 
-AssemblyPlan readPlanJson(const JsonCursor& at) { return PlanReader().read(at); }
+template struct ObjectFormat<PlanDocument>;
+
+PlanDocument planDocument(const AssemblyPlan& plan, const std::string& product) {
+  return {std::string("Glissade ") + kVersion, product, plan};
+}
+
+Json planSchema() {
+  Json schema = describedSchema<PlanDocument>("Glissade assembly plan, version 1");
+  addChecksumProperty(schema);
+  return schema;
+}
+
+Json planJson(const AssemblyPlan& plan, const std::string& product) {
+  return kObject<PlanDocument>.write(planDocument(plan, product));
+}
 
 }  // namespace glissade

@@ -14,7 +14,7 @@ namespace {
 
 using EditsPtr = std::shared_ptr<const SemanticEdits>;
 
-Json toJson(const EditsPtr& edits) { return edits ? glissade::toJson(*edits) : Json(nullptr); }
+Json toJson(const EditsPtr& edits) { return edits ? kObject<SemanticEdits>.write(*edits) : Json(nullptr); }
 
 std::string toHex(std::uint64_t value) {
   constexpr const char* kDigits = "0123456789abcdef";
@@ -42,7 +42,7 @@ Json toJson(const RunLog::HandPose& pose) {
 }
 
 Json toJson(const KnowledgeSource& source) {
-  return {{"environment", glissade::toJson(source.options)},
+  return {{"environment", kObject<EnvironmentOptions>.write(source.options)},
           {"semantics", toJson(source.edits)},
           {"required_clearance", source.requiredClearance}};
 }
@@ -62,12 +62,12 @@ std::uint64_t readStep(const JsonCursor& at, const std::vector<Entry>& before) {
 }
 
 EditsPtr readEdits(const JsonCursor& at) {
-  return at.json().is_null() ? nullptr : std::make_shared<const SemanticEdits>(readSemanticEdits(at));
+  return at.json().is_null() ? nullptr : std::make_shared<const SemanticEdits>(kObject<SemanticEdits>.read(at));
 }
 
 KnowledgeSource readKnowledge(const JsonCursor& at) {
   at.allowOnly({"environment", "semantics", "required_clearance"});
-  return {readEnvironmentOptions(at.at("environment")), readEdits(at.at("semantics")),
+  return {kObject<EnvironmentOptions>.read(at.at("environment")), readEdits(at.at("semantics")),
           at.at("required_clearance").length()};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "engine/base/stop_token.h"
@@ -15,6 +16,9 @@ Result<Scenario> parseScenario(const std::string& text, const std::string& file)
 /// Canonical JSON (fixed key order, shortest round-trip numbers, two-space indent, final newline):
 /// parse then write of a canonical file is byte-identical.
 std::string writeScenario(const Scenario& scenario);
+
+/// The JSON schema of scenario files: resources/schema/scenario-1.schema.json.
+nlohmann::ordered_json scenarioSchema();
 
 /// Reads a scenario file or an OMPL.app .cfg (by its ending), imports all geometry, checks it, and builds the problem.
 /// Start and goal in collision are not errors here; a session reports them at its start. Reading a STEP file may take

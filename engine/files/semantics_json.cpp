@@ -1,165 +1,182 @@
 #include "engine/files/semantics_json.h"
 
-#include "engine/base/limits.h"
 #include "engine/files/scenario_bodies.h"
 #include "engine/files/scenario_product.h"
 #include "engine/geometry/pose_json.h"
 #include "engine/planning/planner.h"
 
 namespace glissade {
+namespace {
 
 using Json = JsonCursor::Json;
 
-namespace {
-
 /// More cells than this are in no topological layer.
 constexpr std::size_t kMostBoxes = 4'000'000;
-
-Box3 readBox(const JsonCursor& at) {
-  if (at.size() != 6)
-    at.fail(GLISSADE_TEXT("is not a box"),
-            GLISSADE_TEXT("Give six coordinates: the least x, y and z, then the largest."));
-  Box3 box;
-  for (int axis = 0; axis < 3; ++axis) {
-    box.min()[axis] = at.element(static_cast<std::size_t>(axis)).coordinate();
-    box.max()[axis] = at.element(static_cast<std::size_t>(axis) + 3).coordinate();
-  }
-  if (box.isEmpty())
-    at.fail(GLISSADE_TEXT("is not a box"),
-            GLISSADE_TEXT("Give six coordinates: the least x, y and z, then the largest."));
-  return box;
-}
-
-/// Reads the boxes of forbidden places, which a scenario file states beside the edits that forbid them. A reader
-/// without an environment model uses them. Private to the readers and writers of this module. Reading throws JsonError.
-void readForbiddenRegions(const JsonCursor& root, Scenario& scenario) {
-  const auto regions = root.find("forbidden_regions");
-  for (std::size_t i = 0; regions && i < regions->sizeUpTo(limits::kMostBodies); ++i) {
-    const JsonCursor region = regions->element(i);
-    region.allowOnly({"place", "boxes"});
-    ForbiddenPlace place{region.at("place").nonEmptyText(), {}};
-    const JsonCursor boxes = region.at("boxes");
-    for (std::size_t box = 0; box < boxes.sizeUpTo(kMostBoxes); ++box)
-      place.boxes.push_back(readBox(boxes.element(box)));
-    scenario.forbiddenRegions.push_back(std::move(place));
-  }
-}
-
-/// Adds "forbidden_regions" where there are some.
-void addForbiddenRegions(const ForbiddenPlaces& places, JsonCursor::Json& json) {
-  if (places.empty()) return;
-  auto& regions = json["forbidden_regions"] = JsonCursor::Json::array();
-  for (const ForbiddenPlace& place : places) {
-    auto boxes = JsonCursor::Json::array();
-    for (const Box3& box : place.boxes) {
-      const Vector3& least = box.min();
-      const Vector3& most = box.max();
-      boxes.push_back({least.x(), least.y(), least.z(), most.x(), most.y(), most.z()});
-    }
-    regions.push_back({{"place", place.name}, {"boxes", std::move(boxes)}});
-  }
-}
-
 /// Most choices of an attribute, because they are searched sequentially.
 constexpr std::size_t kMostChoices = 1000;
 /// Most rules of a strategy, because they are tried sequentially.
 constexpr std::size_t kMostRules = 1000;
 
-AttributeValue readValue(const JsonCursor& at) {
-  if (at.json().is_boolean()) return at.boolean();
-  if (at.isString()) return at.text();
-  return at.number();
-}
+constexpr FunctionFormat kBox{[](const JsonCursor& at) {
+                                Box3 box;
+                                for (int axis = 0; axis < 3 && at.size() == 6; ++axis) {
+                                  const auto i = static_cast<std::size_t>(axis);
+                                  box.min()[axis] = at.element(i).coordinate();
+                                  box.max()[axis] = at.element(i + 3).coordinate();
+                                }
+                                if (box.isEmpty()) {
+                                  at.fail(GLISSADE_TEXT("is not a box"),
+                                          GLISSADE_TEXT("Give six coordinates: the least x, y and z, then the "
+                                                        "largest."));
+                                }
+                                return box;
+                              },
+                              [](const Box3& box) {
+                                const Vector3& least = box.min();
+                                const Vector3& most = box.max();
+                                return Json{least.x(), least.y(), least.z(), most.x(), most.y(), most.z()};
+                              },
+                              R"({"description": "Least x, y and z, then the largest.", "type": "array", "minItems": 6,
+                                  "maxItems": 6, "items": {"type": "number"}})"};
+
+constexpr FunctionFormat kAttributeValue{
+    [](const JsonCursor& at) -> AttributeValue {
+      if (at.json().is_boolean()) return at.boolean();
+      if (at.isString()) return at.text();
+      return at.number();
+    },
+    [](const AttributeValue& value) { return std::visit([](const auto& typed) { return Json(typed); }, value); },
+    R"({"type": ["boolean", "number", "string"]})"};
+
+constexpr GetterFormat<std::string> kAttributeName{&JsonCursor::nonEmptyText,
+                                                   R"({"type": "string", "pattern": "^[a-z_][a-z0-9_]*$"})"};
+
+constexpr FunctionFormat kCellSize{[](const JsonCursor& at) {
+                                     const double size = at.coordinate();
+                                     if (size < 0.0) {
+                                       at.fail(GLISSADE_TEXT("is below zero"),
+                                               GLISSADE_TEXT("Give metres, or 0 for as fine as the memory allows."));
+                                     }
+                                     return size;
+                                   },
+                                   kAsItIs, R"({"type": "number", "minimum": 0})"};
+
+constexpr FunctionFormat kTopologyLevel{[](const JsonCursor& at) {
+                                          const std::uint64_t value = at.wholeNumber();
+                                          if (value < 2 || value > 8)
+                                            at.fail(GLISSADE_TEXT("is out of range"), GLISSADE_TEXT("Give 2 to 8."));
+                                          return static_cast<int>(value);
+                                        },
+                                        kAsItIs, R"({"type": "integer", "minimum": 2, "maximum": 8})"};
+
+constexpr FunctionFormat kIdentifier{[](const JsonCursor& at) {
+                                       std::string id = at.text();
+                                       if (makePlaceIdentifierRegistry().find(id) == nullptr) {
+                                         at.fail(GLISSADE_TEXT("names no way to find places"),
+                                                 GLISSADE_TEXT("Give region-growing or watershed."));
+                                       }
+                                       return id;
+                                     },
+                                     kAsItIs, R"({"enum": ["region-growing", "watershed"]})"};
 
 }  // namespace
 
-Attributes readAttributes(const std::optional<JsonCursor>& at) {
-  Attributes attributes;
-  if (!at) return attributes;
-  if (!at->json().is_object()) at->fail(GLISSADE_TEXT("is not an object"));
-  for (const auto& item : at->json().items()) {
-    attributes[item.key()] = readValue(at->at(item.key()));
-  }
-  return attributes;
+Attributes AttributesFormat::read(const JsonCursor& at) const { return mapOf(kAttributeValue).read(at); }
+Json AttributesFormat::write(const Attributes& attributes) const { return mapOf(kAttributeValue).write(attributes); }
+Json AttributesFormat::schema(SchemaDefinitions& definitions) const {
+  return definitions.reference("attributes", mapOf(kAttributeValue).schema(definitions));
 }
 
-EnvironmentOptions readEnvironmentOptions(const JsonCursor& at) {
-  at.allowOnly({"cell_size", "memory", "topology_level", "places"});
-  EnvironmentOptions options;
-  if (const auto size = at.find("cell_size")) {
-    options.cellSize = size->coordinate();
-    if (options.cellSize < 0.0)
-      size->fail(GLISSADE_TEXT("is below zero"), GLISSADE_TEXT("Give metres, or 0 for as fine as the memory allows."));
-  }
-  if (const auto memory = at.find("memory")) options.memory = memory->positiveNumber();
-  if (const auto level = at.find("topology_level")) {
-    const std::uint64_t value = level->wholeNumber();
-    if (value < 2 || value > 8) level->fail(GLISSADE_TEXT("is out of range"), GLISSADE_TEXT("Give 2 to 8."));
-    options.topologyLevel = static_cast<int>(value);
-  }
-  if (const auto places = at.find("places")) {
-    options.identifier = places->text();
-    if (makePlaceIdentifierRegistry().find(options.identifier) == nullptr) {
-      places->fail(GLISSADE_TEXT("names no way to find places"), GLISSADE_TEXT("Give region-growing or watershed."));
-    }
-  }
-  return options;
+template <class Archive>
+void describe(Archive& options, Type<EnvironmentOptions> /*type*/) {
+  options.type("environment",
+               "How the environment is modelled: the finest cells of the octree, and how places are found.");
+  options.optional("cell_size", &EnvironmentOptions::cellSize, kCellSize, "Metres; 0: by memory.", Always());
+  options.optional("memory", &EnvironmentOptions::memory, kPositive, "MiB for the octree where cell_size is 0.",
+                   Always());
+  options.optional("topology_level", &EnvironmentOptions::topologyLevel, kTopologyLevel,
+                   "Level of the cells of places.", Always());
+  options.optional("places", &EnvironmentOptions::identifier, kIdentifier, "", Always());
 }
 
-namespace {
-
-AttributeDefinition readDefinition(const JsonCursor& at) {
-  at.allowOnly({"name", "label", "type", "of", "unit", "minimum", "maximum", "choices", "description", "initial"});
-  AttributeDefinition definition;
-  definition.name = at.at("name").nonEmptyText();
-  definition.label = Message(at.has("label") ? at.at("label").text() : definition.name);
-  definition.type = at.at("type").named(kAttributeTypeNames);
-  definition.owner = at.at("of").named(kAttributeOwnerNames);
-  if (const auto unit = at.find("unit")) definition.unit = unit->text();
-  if (const auto minimum = at.find("minimum")) definition.minimum = minimum->number();
-  if (const auto maximum = at.find("maximum")) definition.maximum = maximum->number();
-  const auto choices = at.find("choices");
-  for (std::size_t i = 0; choices && i < choices->sizeUpTo(kMostChoices); ++i) {
-    definition.choices.push_back(choices->element(i).nonEmptyText());
-  }
-  if (const auto description = at.find("description")) definition.description = Message(description->text());
-  definition.initial = initialValue(definition);
-  if (const auto initial = at.find("initial")) definition.initial = readValue(*initial);
-  return definition;
+template <class Archive>
+void describe(Archive& definition, Type<AttributeDefinition> /*type*/) {
+  using Definition = AttributeDefinition;
+  definition.type("attribute_definition");
+  definition.required("name", &Definition::name, kAttributeName, "The name in rules and files.");
+  definition.check([](Definition& read, const JsonCursor& /*at*/) { read.label = Message(read.name); });
+  definition.optional("label", &Definition::label, kEnglish, "", Always());
+  definition.required("type", &Definition::type, named(kAttributeTypeNames));
+  definition.required("of", &Definition::owner, named(kAttributeOwnerNames), "Kind of thing that has the attribute.");
+  definition.optional("unit", &Definition::unit, kText);
+  definition.optional("minimum", &Definition::minimum, kNumber);
+  definition.optional("maximum", &Definition::maximum, kNumber);
+  definition.optional("choices", &Definition::choices, listOf(kNonEmptyText, 0, kMostChoices));
+  definition.optional("description", &Definition::description, kEnglish);
+  definition.check([](Definition& read, const JsonCursor& /*at*/) { read.initial = initialValue(read); });
+  definition.optional("initial", &Definition::initial, kAttributeValue, "", Always());
 }
 
-PlaceEdit readPlace(const JsonCursor& at) {
-  at.allowOnly({"at", "name", "attributes"});
-  PlaceEdit edit;
-  edit.at = readVector(at.at("at"));
-  if (const auto name = at.find("name")) edit.name = name->text();
-  edit.attributes = readAttributes(at.find("attributes"));
-  return edit;
+template <class Archive>
+void describe(Archive& place, Type<PlaceEdit> /*type*/) {
+  place.type("place_edit");
+  place.required("at", &PlaceEdit::at, kVector, "A point inside the place.");
+  place.optional("name", &PlaceEdit::name, kText);
+  place.optional("attributes", &PlaceEdit::attributes, AttributesFormat());
 }
 
-MilestoneEdit readMilestone(const JsonCursor& at) {
-  at.allowOnly({"at", "pose"});
-  return {readVector(at.at("at")), readPose(at.at("pose"))};
+template <class Archive>
+void describe(Archive& milestone, Type<MilestoneEdit> /*type*/) {
+  milestone.type("milestone");
+  milestone.required("at", &MilestoneEdit::at, kVector, "A point inside the overlap of the border.");
+  milestone.required("pose", &MilestoneEdit::q, kObject<Pose>, "The configuration to pass through.");
 }
 
-StrategyRules readRules(const JsonCursor& at) {
-  at.allowOnly({"node", "edge", "fine", "loop", "fitted"});
-  StrategyRules rules;
-  rules.node = at.at("node").nonEmptyText();
-  rules.edge = at.at("edge").nonEmptyText();
-  const JsonCursor fine = at.at("fine");
-  for (std::size_t i = 0; i < fine.sizeUpTo(kMostRules); ++i) {
-    const JsonCursor rule = fine.element(i);
-    rule.allowOnly({"when", "geometrical", "local"});
-    rules.fine.push_back({rule.at("when").nonEmptyText(), rule.has("geometrical") && rule.at("geometrical").boolean(),
-                          rule.at("local").nonEmptyText()});
-  }
-  if (const auto loop = at.find("loop")) rules.loop = loop->boolean();
-  if (const auto fitted = at.find("fitted")) rules.fitted = fitted->boolean();
-  return rules;
+template <class Archive>
+void describe(Archive& place, Type<ForbiddenPlace> /*type*/) {
+  place.type("forbidden_region");
+  place.required("place", &ForbiddenPlace::name, kNonEmptyText);
+  place.required("boxes", &ForbiddenPlace::boxes, listOf(kBox, 0, kMostBoxes));
 }
 
-/// Refuses wrong values when the file is read, so that the message can state the place.
+template <class Archive>
+void describe(Archive& rule, Type<FineRule> /*type*/) {
+  rule.type("fine_rule");
+  rule.required("when", &FineRule::when, kNonEmptyText);
+  rule.optional("geometrical", &FineRule::geometrical, kBoolean, "", Always());
+  rule.required("local", &FineRule::local, kNonEmptyText);
+}
+
+template <class Archive>
+void describe(Archive& rules, Type<StrategyRules> /*type*/) {
+  rules.type(
+      "rules",
+      "Strategy \"own\": costs of borders and places, and which planners cross a place; the last rule of fine is "
+      "for all places.");
+  rules.required("node", &StrategyRules::node, kNonEmptyText);
+  rules.required("edge", &StrategyRules::edge, kNonEmptyText);
+  rules.required("fine", &StrategyRules::fine, listOf(kObject<FineRule>, 1, kMostRules));
+  rules.optional("loop", &StrategyRules::loop, kBoolean, "", Always());
+  rules.optional("fitted", &StrategyRules::fitted, kBoolean, "", Always());
+}
+
+template <class Archive>
+void describe(Archive& edits, Type<SemanticEdits> /*type*/) {
+  edits.type("semantic_edits");
+  edits.optional("attributes", &SemanticEdits::definitions, kObjects<AttributeDefinition>);
+  edits.optional("places", &SemanticEdits::places, kObjects<PlaceEdit>);
+  edits.optional("bodies", &SemanticEdits::bodies, mapOf(AttributesFormat()));
+  edits.optional("milestones", &SemanticEdits::milestones, kObjects<MilestoneEdit>);
+}
+
+template struct ObjectFormat<EnvironmentOptions>;
+template struct ObjectFormat<AttributeDefinition>;
+template struct ObjectFormat<PlaceEdit>;
+template struct ObjectFormat<MilestoneEdit>;
+template struct ObjectFormat<ForbiddenPlace>;
+template struct ObjectFormat<StrategyRules>;
+template struct ObjectFormat<SemanticEdits>;
+
 void checkSemantics(const Scenario& scenario, const JsonCursor& root) {
   const SemanticEdits edits = semanticEditsOf(scenario);
   const auto refuse = [&](Diagnostic why) {
@@ -202,91 +219,7 @@ void checkSemantics(const Scenario& scenario, const JsonCursor& root) {
   if (!rules) refuse(rules.error());
 }
 
-template <class Item, class Read>
-std::vector<Item> readList(const JsonCursor& root, const char* key, Read read) {
-  std::vector<Item> items;
-  const auto list = root.find(key);
-  for (std::size_t i = 0; list && i < list->sizeUpTo(limits::kMostBodies); ++i) items.push_back(read(list->element(i)));
-  return items;
-}
-
-}  // namespace
-
-SemanticEdits readSemanticEdits(const JsonCursor& at) {
-  at.allowOnly({"attributes", "places", "bodies", "milestones"});
-  SemanticEdits edits;
-  edits.definitions = readList<AttributeDefinition>(at, "attributes", readDefinition);
-  edits.places = readList<PlaceEdit>(at, "places", readPlace);
-  edits.milestones = readList<MilestoneEdit>(at, "milestones", readMilestone);
-  const auto bodies = at.find("bodies");
-  if (!bodies) return edits;
-  if (!bodies->json().is_object()) bodies->fail(GLISSADE_TEXT("is not an object"));
-  for (const auto& item : bodies->json().items()) edits.bodies[item.key()] = readAttributes(bodies->find(item.key()));
-  return edits;
-}
-
-void readSemantics(const JsonCursor& root, Scenario& scenario) {
-  if (const auto environment = root.find("environment")) scenario.environment = readEnvironmentOptions(*environment);
-  scenario.attributeDefinitions = readList<AttributeDefinition>(root, "attributes", readDefinition);
-  scenario.places = readList<PlaceEdit>(root, "places", readPlace);
-  scenario.milestones = readList<MilestoneEdit>(root, "milestones", readMilestone);
-  readForbiddenRegions(root, scenario);
-  if (const auto rules = root.find("rules")) scenario.rules = readRules(*rules);
-  checkSemantics(scenario, root);
-}
-
-Json attributesToJson(const Attributes& attributes) {
-  Json json = Json::object();
-  for (const auto& [key, value] : attributes) {
-    std::visit([&, name = key](const auto& typed) { json[name] = typed; }, value);
-  }
-  return json;
-}
-
-Json toJson(const EnvironmentOptions& options) {
-  return {{"cell_size", options.cellSize},
-          {"memory", options.memory},
-          {"topology_level", options.topologyLevel},
-          {"places", options.identifier}};
-}
-
 namespace {
-
-Json toJson(const AttributeDefinition& definition) {
-  Json json;
-  json["name"] = definition.name;
-  json["label"] = toString(definition.label);
-  json["type"] = kAttributeTypeNames.of(definition.type);
-  json["of"] = kAttributeOwnerNames.of(definition.owner);
-  if (!definition.unit.empty()) json["unit"] = definition.unit;
-  const AttributeDefinition usual;
-  if (definition.minimum != usual.minimum) json["minimum"] = definition.minimum;
-  if (definition.maximum != usual.maximum) json["maximum"] = definition.maximum;
-  if (!definition.choices.empty()) json["choices"] = definition.choices;
-  if (!definition.description.empty()) json["description"] = toString(definition.description);
-  std::visit([&](const auto& typed) { json["initial"] = typed; }, definition.initial);
-  return json;
-}
-
-Json toJson(const PlaceEdit& edit) {
-  Json json;
-  json["at"] = glissade::toJson(edit.at);
-  if (!edit.name.empty()) json["name"] = edit.name;
-  if (!edit.attributes.empty()) json["attributes"] = attributesToJson(edit.attributes);
-  return json;
-}
-
-Json toJson(const MilestoneEdit& edit) {
-  return {{"at", glissade::toJson(edit.at)}, {"pose", glissade::toJson(edit.q)}};
-}
-
-Json toJson(const StrategyRules& rules) {
-  Json fine = Json::array();
-  for (const FineRule& rule : rules.fine) {
-    fine.push_back({{"when", rule.when}, {"geometrical", rule.geometrical}, {"local", rule.local}});
-  }
-  return {{"node", rules.node}, {"edge", rules.edge}, {"fine", fine}, {"loop", rules.loop}, {"fitted", rules.fitted}};
-}
 
 /// The description of a node; created where there is none yet.
 NodeDescription& descriptionOf(const std::string& id, Scenario& scenario) {
@@ -300,32 +233,7 @@ NodeDescription& descriptionOf(const std::string& id, Scenario& scenario) {
 /// True if the id is that of a part of a body. Attributes of parts are stored in the section about the sequence.
 bool isPart(const std::string& id) { return bodyIdOf(id) != id; }
 
-template <class Range>
-void addList(const char* key, const Range& range, Json& json) {
-  if (range.empty()) return;
-  json[key] = Json::array();
-  for (const auto& item : range) json[key].push_back(toJson(item));
-}
-
 }  // namespace
-
-Json toJson(const SemanticEdits& edits) {
-  Json json = Json::object();
-  addList("attributes", edits.definitions, json);
-  addList("places", edits.places, json);
-  for (const auto& [id, attributes] : edits.bodies) json["bodies"][id] = attributesToJson(attributes);
-  addList("milestones", edits.milestones, json);
-  return json;
-}
-
-void addSemantics(const Scenario& scenario, Json& json) {
-  if (!(scenario.environment == EnvironmentOptions{})) json["environment"] = toJson(scenario.environment);
-  addList("attributes", scenario.attributeDefinitions, json);
-  addList("places", scenario.places, json);
-  addList("milestones", scenario.milestones, json);
-  addForbiddenRegions(scenario.forbiddenRegions, json);
-  if (scenario.rules) json["rules"] = toJson(*scenario.rules);
-}
 
 SemanticEdits semanticEditsOf(const Scenario& scenario) {
   SemanticEdits edits{scenario.attributeDefinitions, scenario.places, {}, scenario.milestones};

@@ -1,6 +1,5 @@
 #include "engine/files/sequence_json.h"
 
-#include "engine/base/limits.h"
 #include "engine/files/body_classes_json.h"
 #include "engine/files/joints_json.h"
 #include "engine/files/semantics_json.h"
@@ -10,185 +9,125 @@
 namespace glissade {
 namespace {
 
-using SequenceJson = JsonCursor::Json;
+constexpr std::size_t kMostMotionPoints = 1'000'000;
 
-std::vector<std::string> readNames(const JsonCursor& at, std::size_t least) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < at.sizeUpTo(limits::kMostBodies); ++i) names.push_back(at.element(i).nonEmptyText());
-  if (names.size() < least) at.fail({GLISSADE_TEXT("names fewer than %1 bodies"), {least}});
-  return names;
-}
+/// A configuration of a motion. The author of its segment is not written.
+struct MotionPoint : PathPoint {};
 
-Vector3 readDirection(const JsonCursor& at) {
-  if (at.size() != 3) at.fail(GLISSADE_TEXT("is not three numbers"));
-  const Vector3 gravity(at.element(0).coordinate(), at.element(1).coordinate(), at.element(2).coordinate());
-  if (!(gravity.norm() > 0.0)) at.fail(GLISSADE_TEXT("has no direction"));
-  return gravity;
-}
+struct MotionPointFormat {
+  PathPoint read(const JsonCursor& at) const { return readDescribed<MotionPoint>(at); }
+  JsonCursor::Json write(const PathPoint& point) const { return writeDescribed(MotionPoint{point}); }
+  JsonCursor::Json schema(SchemaDefinitions& definitions) const { return definitions.reference<MotionPoint>(); }
+};
 
-/// Reads [[body, text], ...].
-std::vector<std::pair<std::string, std::string>> readPairs(const std::optional<JsonCursor>& at) {
-  std::vector<std::pair<std::string, std::string>> pairs;
-  for (std::size_t i = 0; at && i < at->sizeUpTo(limits::kMostBodies); ++i) {
-    const auto names = readNames(at->element(i), 2);
-    if (names.size() != 2) at->element(i).fail(GLISSADE_TEXT("is not two texts"));
-    pairs.emplace_back(names[0], names[1]);
+/// Names of at least so many bodies.
+constexpr ListFormat<GetterFormat<std::string>> names(std::size_t least) { return listOf(kNonEmptyText, least); }
+
+/// A direction of any length above zero.
+struct AnyLengthFormat : VectorFormat {
+  Vector3 read(const JsonCursor& at) const {
+    const Vector3 direction = readVector(at);
+    if (!(direction.norm() > 0.0)) at.fail(GLISSADE_TEXT("has no direction"));
+    return direction;
   }
-  return pairs;
-}
+};
 
-void readKnowledge(const JsonCursor& at, SequenceDemands& demands) {
-  if (const auto stay = at.find("stay")) demands.stay = readNames(*stay, 0);
-  if (const auto fragile = at.find("fragile")) demands.fragile = readNames(*fragile, 0);
-  const auto masses = at.find("masses");
-  for (std::size_t i = 0; masses && i < masses->sizeUpTo(limits::kMostBodies); ++i) {
-    const JsonCursor mass = masses->element(i);
-    mass.allowOnly({"body", "mass"});
-    demands.masses.emplace_back(mass.at("body").nonEmptyText(), mass.at("mass").positiveNumber());
-  }
-  demands.tools = readPairs(at.find("tools"));
-  demands.fasteners = readPairs(at.find("fasteners"));
+void checkFasteners(const SequenceDemands& demands, const JsonCursor& at) {
   for (std::size_t i = 0; i < demands.fasteners.size(); ++i) {
-    if (!kFastenerNames.find(demands.fasteners[i].second)) {
-      at.at("fasteners")
-          .element(i)
-          .fail({GLISSADE_TEXT("names a fastener that is not one of: %1"), {kFastenerNames.listed()}});
-    }
+    if (kFastenerNames.find(demands.fasteners[i].second)) continue;
+    at.at("fasteners")
+        .element(i)
+        .fail({GLISSADE_TEXT("names a fastener that is not one of: %1"), {kFastenerNames.listed()}});
   }
-  if (const auto cost = at.find("cost")) demands.cost = cost->nonEmptyText();
-  if (const auto attributes = at.find("attributes")) {
-    attributes->expectObject();
-    for (const auto& item : attributes->json().items()) {
-      demands.attributes[item.key()] = readAttributes(attributes->find(item.key()));
-    }
-  }
-  if (const auto classes = at.find("classes")) demands.classes = readBodyClasses(*classes);
-}
-
-/// Reads a person's edits of steps.
-void readSteps(const JsonCursor& at, SequenceDemands& demands) {
-  const auto places = at.find("places");
-  for (std::size_t i = 0; places && i < places->sizeUpTo(limits::kMostBodies); ++i) {
-    const JsonCursor place = places->element(i);
-    place.allowOnly({"bodies", "place", "locked"});
-    demands.places.push_back({readNames(place.at("bodies"), 1)});
-    demands.places.back().place = static_cast<std::size_t>(place.at("place").wholeNumber());
-    if (demands.places.back().place == 0) place.at("place").fail(GLISSADE_TEXT("is not 1 or more"));
-    if (const auto locked = place.find("locked")) demands.places.back().locked = locked->boolean();
-  }
-  const auto motions = at.find("motions");
-  for (std::size_t i = 0; motions && i < motions->sizeUpTo(limits::kMostBodies); ++i) {
-    const JsonCursor motion = motions->element(i);
-    motion.allowOnly({"bodies", "method", "path"});
-    demands.motions.push_back(
-        {readNames(motion.at("bodies"), 1), readMotion(motion.at("path")), motion.at("method").nonEmptyText()});
-    if (demands.motions.back().path.size() < 2)
-      motion.at("path").fail(GLISSADE_TEXT("has fewer than two configurations"));
-  }
-  const auto forbidden = at.find("forbidden");
-  for (std::size_t i = 0; forbidden && i < forbidden->sizeUpTo(limits::kMostBodies); ++i) {
-    const JsonCursor direction = forbidden->element(i);
-    direction.allowOnly({"body", "direction"});
-    demands.forbidden.push_back({direction.at("body").nonEmptyText(), readDirection(direction.at("direction"))});
-  }
-}
-
-void addSteps(const SequenceDemands& demands, SequenceJson& section) {
-  for (const DemandedPlace& each : demands.places) {
-    SequenceJson place{{"bodies", each.bodies}, {"place", each.place}};
-    if (each.locked) place["locked"] = true;
-    section["places"].push_back(std::move(place));
-  }
-  for (const DemandedMotion& each : demands.motions) {
-    section["motions"].push_back({{"bodies", each.bodies}, {"method", each.method}, {"path", motionJson(each.path)}});
-  }
-  for (const ForbiddenDirection& each : demands.forbidden) {
-    const Vector3& way = each.direction;
-    section["forbidden"].push_back({{"body", each.body}, {"direction", {way.x(), way.y(), way.z()}}});
-  }
-}
-
-void addKnowledge(const SequenceDemands& demands, SequenceJson& section) {
-  if (!demands.stay.empty()) section["stay"] = demands.stay;
-  for (const auto& [body, mass] : demands.masses) section["masses"].push_back({{"body", body}, {"mass", mass}});
-  if (!demands.fragile.empty()) section["fragile"] = demands.fragile;
-  for (const auto& [body, tool] : demands.tools) section["tools"].push_back({body, tool});
-  for (const auto& [body, kind] : demands.fasteners) section["fasteners"].push_back({body, kind});
-  if (!demands.cost.empty()) section["cost"] = demands.cost;
-  for (const auto& [body, attributes] : demands.attributes) section["attributes"][body] = attributesToJson(attributes);
-  for (const BodyClass& each : demands.classes) section["classes"].push_back(toJson(each));
 }
 
 }  // namespace
 
-std::vector<PathPoint> readMotion(const JsonCursor& at) {
-  constexpr std::size_t kMostConfigurations = 1'000'000;
-  std::vector<PathPoint> path;
-  for (std::size_t i = 0; i < at.sizeUpTo(kMostConfigurations); ++i) {
-    const JsonCursor point = at.element(i);
-    point.allowOnly({"position", "orientation", "author"});
-    const SequenceJson pose{{"position", point.at("position").json()}, {"orientation", point.at("orientation").json()}};
-    path.push_back({readPose(JsonCursor(pose, at.file(), at.pointer() + "/" + std::to_string(i))),
-                    point.at("author").named(kAuthorNames)});
-  }
-  if (path.empty()) at.fail(GLISSADE_TEXT("is empty"), GLISSADE_TEXT("Give a path."));
-  return path;
+template <class Archive>
+void describe(Archive& point, Type<MotionPoint> /*type*/) {
+  point.type("motion_configuration");
+  point.embed(&PathPoint::q);
+  point.required("author", &PathPoint::author, named(kAuthorNames));
 }
 
-SequenceJson motionJson(const std::vector<PathPoint>& path) {
-  SequenceJson json = SequenceJson::array();
-  for (const PathPoint& point : path) {
-    SequenceJson configuration = toJson(point.q);
-    configuration["author"] = kAuthorNames.of(point.author);
-    json.push_back(std::move(configuration));
-  }
-  return json;
+std::vector<PathPoint> MotionFormat::read(const JsonCursor& at) const {
+  return listOf(MotionPointFormat(), least, kMostMotionPoints).read(at);
 }
 
-SequenceDemands readSequence(const JsonCursor& at) {
-  at.allowOnly({"together", "before", "gravity", "densities", "stay", "masses", "fragile", "tools", "fasteners", "cost",
-                "attributes", "classes", "places", "motions", "forbidden", "joint_use", "joints"});
-  SequenceDemands demands;
-  const auto together = at.find("together");
-  for (std::size_t i = 0; together && i < together->sizeUpTo(limits::kMostBodies); ++i) {
-    demands.together.push_back(readNames(together->element(i), 2));
-  }
-  const auto before = at.find("before");
-  for (std::size_t i = 0; before && i < before->sizeUpTo(limits::kMostBodies); ++i) {
-    const auto names = readNames(before->element(i), 2);
-    if (names.size() != 2) before->element(i).fail(GLISSADE_TEXT("is not two names"));
-    demands.before.emplace_back(names[0], names[1]);
-  }
-  if (const auto gravity = at.find("gravity")) demands.gravity = readDirection(*gravity);
-  const auto densities = at.find("densities");
-  for (std::size_t i = 0; densities && i < densities->sizeUpTo(limits::kMostBodies); ++i) {
-    const JsonCursor density = densities->element(i);
-    density.allowOnly({"body", "density"});
-    demands.densities.emplace_back(density.at("body").nonEmptyText(), density.at("density").positiveNumber());
-  }
-  if (const auto use = at.find("joint_use")) demands.jointUse = use->named(kJointUseNames);
-  if (const auto joints = at.find("joints")) demands.joints = readJointEdits(*joints);
-  readKnowledge(at, demands);
-  readSteps(at, demands);
-  return demands;
+JsonCursor::Json MotionFormat::write(const std::vector<PathPoint>& path) const {
+  return listOf(MotionPointFormat()).write(path);
 }
 
-void addSequence(const SequenceDemands& demands, SequenceJson& json) {
-  if (demands == SequenceDemands()) return;
-  SequenceJson section = SequenceJson::object();
-  if (!demands.together.empty()) section["together"] = demands.together;
-  for (const auto& [first, then] : demands.before) section["before"].push_back({first, then});
-  if (demands.gravity != SequenceDemands().gravity) {
-    section["gravity"] = {demands.gravity.x(), demands.gravity.y(), demands.gravity.z()};
-  }
-  for (const auto& [body, density] : demands.densities) {
-    section["densities"].push_back({{"body", body}, {"density", density}});
-  }
-  if (demands.jointUse != SequenceDemands().jointUse) section["joint_use"] = kJointUseNames.of(demands.jointUse);
-  addJointEdits(demands.joints, section);
-  addKnowledge(demands, section);
-  addSteps(demands, section);
-  json["sequence"] = std::move(section);
+JsonCursor::Json MotionFormat::schema(SchemaDefinitions& definitions) const {
+  return listOf(MotionPointFormat(), least).schema(definitions);
 }
+
+template <class Archive>
+void describe(Archive& place, Type<DemandedPlace> /*type*/) {
+  place.type("demanded_place");
+  place.required("bodies", &DemandedPlace::bodies, names(1), "Several bodies leave as one.");
+  place.required("place", &DemandedPlace::place, kCountFrom1);
+  place.optional("locked", &DemandedPlace::locked, kBoolean, "The step keeps its place where other steps are moved.");
+}
+
+template <class Archive>
+void describe(Archive& motion, Type<DemandedMotion> /*type*/) {
+  motion.type("demanded_motion");
+  motion.required("bodies", &DemandedMotion::bodies, names(1), "Several bodies leave as one.");
+  motion.required("method", &DemandedMotion::method, kNonEmptyText,
+                  "'by hand', or the method of the step that it was.");
+  motion.required("path", &DemandedMotion::path, MotionFormat{2},
+                  "Configurations, as of a step of a plan: at the first one the product is assembled.");
+}
+
+template <class Archive>
+void describe(Archive& direction, Type<ForbiddenDirection> /*type*/) {
+  direction.type("forbidden_direction");
+  direction.required("body", &ForbiddenDirection::body, kNonEmptyText);
+  direction.required("direction", &ForbiddenDirection::direction, AnyLengthFormat());
+}
+
+template <class Archive>
+void describe(Archive& demands, Type<SequenceDemands> /*type*/) {
+  using Demands = SequenceDemands;
+  demands.type("sequence",
+               "A person's demands on assembly plans. Bodies are named by id, or by the end of ids behind a '/'.");
+  demands.optional("together", &Demands::together, listOf(names(2)), "Bodies that leave as one.");
+  demands.optional("before", &Demands::before, listOf(kTextPair), "The first body leaves before the second.");
+  demands.optional("gravity", &Demands::gravity, AnyLengthFormat(), "Direction of gravity; absent: down, [0, 0, -1].");
+  demands.optional("densities", &Demands::densities, listOf(PairFormat{"body", "density", kPositive}),
+                   "Densities in kg/m^3; 7850 for other bodies.");
+  demands.optional("joint_use", &Demands::jointUse, named(kJointUseNames),
+                   "Joints that a plan keeps to: none, those that shapes or a person state, or suggested ones as well. "
+                   "Absent: recognised.");
+  demands.optional("joints", &Demands::joints, JointEditsFormat());
+  demands.optional("stay", &Demands::stay, names(0), "Bodies that do not leave.");
+  demands.optional("masses", &Demands::masses, listOf(PairFormat{"body", "mass", kPositive}),
+                   "Masses in kg; by volume and density for other bodies.");
+  demands.optional("fragile", &Demands::fragile, names(0), "Bodies that leave as early as they can.");
+  demands.optional("tools", &Demands::tools, listOf(kTextPair),
+                   "A body and the tool that turns it: hex_key, socket, screwdriver, open_wrench, none. By shape for "
+                   "other bodies.");
+  demands.optional("fasteners", &Demands::fasteners, listOf(kTextPair),
+                   "A body and its kind of fastener: screw, nut, washer, pin, none. By shape for other bodies.");
+  demands.optional("cost", &Demands::cost, kNonEmptyText,
+                   "Cost of a step, for best-first: balanced, steady, few-tools, short, fragile-first, or an "
+                   "expression.");
+  demands.optional("attributes", &Demands::attributes, mapOf(AttributesFormat()),
+                   "By id: attributes of parts of a body, as stand/bar, which costs name as body.<attribute>, beside "
+                   "the attributes of the bodies of the scenario.");
+  demands.optional("classes", &Demands::classes, kBodyClasses,
+                   "Classes of bodies, beside those of body_classes.json. A class replaces another one of its name.");
+  demands.optional("places", &Demands::places, kObjects<DemandedPlace>,
+                   "Steps that a person wants at places of the plan, from 1 in the order of removal.");
+  demands.optional("motions", &Demands::motions, kObjects<DemandedMotion>,
+                   "The only motions by which these bodies leave: found by hand, or kept.");
+  demands.optional("forbidden", &Demands::forbidden, kObjects<ForbiddenDirection>,
+                   "Directions in which bodies do not move, nor within 30 degrees of them, until their convex hulls "
+                   "are clear of those of the bodies that they touch.");
+  demands.check(checkFasteners);
+}
+
+template struct ObjectFormat<SequenceDemands>;
 
 }  // namespace glissade

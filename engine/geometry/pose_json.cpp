@@ -13,28 +13,33 @@ Vector3 readVector(const JsonCursor& at) {
   return {at.element(0).coordinate(), at.element(1).coordinate(), at.element(2).coordinate()};
 }
 
-Pose readPose(const JsonCursor& at) {
-  at.allowOnly({"position", "orientation"});
-  Pose pose;
-  pose.position = readVector(at.at("position"));
-  const JsonCursor orientation = at.at("orientation");
-  if (orientation.size() != 4) orientation.fail(GLISSADE_TEXT("is not a quaternion x, y, z, w"));
-  for (std::size_t i = 0; i < 4; ++i) {
-    pose.orientation.coeffs()[static_cast<Eigen::Index>(i)] = orientation.element(i).number();
-  }
-  const double norm = pose.orientation.norm();
-  if (std::abs(norm - 1.0) > tolerance::kQuaternionNorm) {
-    orientation.fail({GLISSADE_TEXT("is not a unit quaternion (its length is %1)"), {std::to_string(norm)}},
-                     GLISSADE_TEXT("Divide its four numbers by that length."));
-  }
-  return pose;
+Json VectorFormat::schema(SchemaDefinitions& /*definitions*/) const {
+  return {{"type", "array"}, {"minItems", 3}, {"maxItems", 3}, {"items", {{"type", "number"}}}};
 }
+
+Quaternion QuaternionFormat::read(const JsonCursor& at) const {
+  if (at.size() != 4) at.fail(GLISSADE_TEXT("is not a quaternion x, y, z, w"));
+  Quaternion q;
+  for (std::size_t i = 0; i < 4; ++i) q.coeffs()[static_cast<Eigen::Index>(i)] = at.element(i).number();
+  const double norm = q.norm();
+  if (std::abs(norm - 1.0) > tolerance::kQuaternionNorm) {
+    at.fail({GLISSADE_TEXT("is not a unit quaternion (its length is %1)"), {std::to_string(norm)}},
+            GLISSADE_TEXT("Divide its four numbers by that length."));
+  }
+  return q;
+}
+
+Json QuaternionFormat::write(const Quaternion& q) const { return Json::array({q.x(), q.y(), q.z(), q.w()}); }
+
+Json QuaternionFormat::schema(SchemaDefinitions& /*definitions*/) const {
+  const Json component{{"type", "number"}, {"minimum", -1.001}, {"maximum", 1.001}};
+  return {{"type", "array"}, {"minItems", 4}, {"maxItems", 4}, {"items", component}};
+}
+
+Pose readPose(const JsonCursor& at) { return readDescribed<Pose>(at); }
 
 Json toJson(const Vector3& v) { return Json::array({v.x(), v.y(), v.z()}); }
 
-Json toJson(const Pose& pose) {
-  const Quaternion& q = pose.orientation;
-  return {{"position", toJson(pose.position)}, {"orientation", Json::array({q.x(), q.y(), q.z(), q.w()})}};
-}
+Json toJson(const Pose& pose) { return writeDescribed(pose); }
 
 }  // namespace glissade

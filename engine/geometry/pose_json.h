@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/base/json_reader.h"
+#include "engine/base/json_formats.h"
 #include "engine/geometry/pose.h"
 
 namespace glissade {
@@ -12,5 +12,26 @@ Pose readPose(const JsonCursor& at);
 
 JsonCursor::Json toJson(const Vector3& v);
 JsonCursor::Json toJson(const Pose& pose);
+
+struct VectorFormat {
+  Vector3 read(const JsonCursor& at) const { return readVector(at); }
+  JsonCursor::Json write(const Vector3& v) const { return toJson(v); }
+  JsonCursor::Json schema(SchemaDefinitions& definitions) const;
+};
+inline constexpr VectorFormat kVector{};
+
+/// A unit quaternion x, y, z, w.
+struct QuaternionFormat {
+  Quaternion read(const JsonCursor& at) const;
+  JsonCursor::Json write(const Quaternion& q) const;
+  JsonCursor::Json schema(SchemaDefinitions& definitions) const;
+};
+
+template <class Archive>
+void describe(Archive& pose, Type<Pose> /*type*/) {
+  pose.type("pose");
+  pose.required("position", &Pose::position, kVector);
+  pose.required("orientation", &Pose::orientation, QuaternionFormat(), "Unit quaternion x, y, z, w.");
+}
 
 }  // namespace glissade

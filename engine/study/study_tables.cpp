@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/csv_table.h"
 #include "engine/base/file_save.h"
 #include "engine/base/json_reader.h"
-#include "engine/study/csv_table.h"
 #include "engine/study/repeat_command.h"
 #include "engine/study/study_axes.h"
 #include "engine/study/study_json.h"

@@ -70,9 +70,8 @@ const std::map<std::string, std::set<std::string>>& allowedModules() {
        {"base", "geometry", "model", "import", "evidence", "check", "places", "collision", "fits", "planning",
         "sequence", "operator", "sweep"}},
       {"session", {"base", "geometry", "model", "places", "collision", "planning", "operator"}},
-      {"study",
-       {"base", "geometry", "model", "import", "places", "collision", "fits", "planning", "sequence", "operator",
-        "files", "session"}},
+      {"documents", {"base", "geometry", "model", "fits", "planning", "sequence", "files"}},
+      {"study", {"base", "planning", "sequence", "operator", "files"}},
   };
   return allowed;
 }

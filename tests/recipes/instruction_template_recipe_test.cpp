@@ -5,7 +5,7 @@
 #include <set>
 #include <sstream>
 
-#include "engine/study/instruction/instruction_template.h"
+#include "engine/documents/instruction/instruction_template.h"
 #include "tests/engine/support/directories.h"
 #include "tests/engine/support/temporary_folder.h"
 
@@ -53,7 +53,7 @@ TEST(InstructionTemplateRecipe, BothManualsShowEveryMember) {
 /// Language and paper are not drawn: the window takes them.
 TEST(InstructionTemplateRecipe, PaperAndTabletUseEveryMemberThatIsDrawn) {
   for (const char* file : {"instruction_page.cpp", "instruction_html.cpp"}) {
-    const std::string source = projectText("engine/study/instruction/" + std::string(file));
+    const std::string source = projectText("engine/documents/instruction/" + std::string(file));
     for (const std::string& member : ownMembers()) {
       if (member == "language" || member == "paper") continue;
       const bool uses =

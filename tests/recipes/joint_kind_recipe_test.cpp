@@ -5,10 +5,10 @@
 #include <set>
 
 #include "engine/check/stated_json.h"
+#include "engine/documents/instruction/instruction_words.h"
+#include "engine/documents/plan_words.h"
 #include "engine/files/joints_json.h"
 #include "engine/files/judged_product.h"
-#include "engine/study/instruction/instruction_words.h"
-#include "engine/study/plan_words.h"
 #include "tests/engine/support/directories.h"
 #include "tests/engine/support/temporary_folder.h"
 #include "tests/engine/support/test_worlds.h"
@@ -132,9 +132,8 @@ TEST(JointKindRecipe, TheJudgeIsToldTheSameByAFileAndByTheWindow) {
     for (const auto word : {JointEdit::Word::Confirmed, JointEdit::Word::Dissolved}) {
       AssemblyPlan plan;
       plan.demands.joints = {editOf(kind, word)};
-      JsonCursor::Json json;
-      addJointEdits(plan.demands.joints, json);
-      const JsonCursor file(json.at("joints"), "plan.json", "/joints");
+      const JsonCursor::Json json = JointEditsFormat().write(plan.demands.joints);
+      const JsonCursor file(json, "plan.json", "/joints");
       const check::Plan window = judgedPlan(plan);
       EXPECT_EQ(toldWords(check::readJointWords(file, {}), check::readSnaps(file), check::readPartings(file, {})),
                 toldWords(window.joints, window.snaps, window.partings))

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "engine/documents/plan_words.h"
 #include "engine/sequence/assembly_plan.h"
 #include "engine/sequence/body_group.h"
 #include "engine/sequence/order_rules.h"
 #include "engine/sequence/product_finder.h"
 #include "engine/sequence/sequence_run.h"
-#include "engine/study/plan_words.h"
 #include "widgets/controls/background_task.h"
 
 namespace glissade {

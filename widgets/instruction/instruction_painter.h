@@ -4,8 +4,8 @@
 
 #include "engine/base/file_save.h"
 #include "engine/base/work_watch.h"
-#include "engine/study/instruction/instruction_html.h"
-#include "engine/study/instruction/instruction_layout.h"
+#include "engine/documents/instruction/instruction_html.h"
+#include "engine/documents/instruction/instruction_layout.h"
 #include "widgets/instruction/step_drawer.h"
 
 namespace glissade {

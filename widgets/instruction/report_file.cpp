@@ -1,6 +1,6 @@
 #include "widgets/instruction/report_file.h"
 
-#include "engine/study/report_html.h"
+#include "engine/documents/report_html.h"
 #include "widgets/controls/picture_file.h"
 #include "widgets/instruction/report_pdf.h"
 

@@ -4,7 +4,7 @@
 #include <QString>
 
 #include "engine/base/file_save.h"
-#include "engine/study/report.h"
+#include "engine/documents/report.h"
 #include "widgets/scene3d/scene_widget.h"
 
 namespace glissade {

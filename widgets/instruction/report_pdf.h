@@ -3,7 +3,7 @@
 #include <QString>
 
 #include "engine/base/file_save.h"
-#include "engine/study/report.h"
+#include "engine/documents/report.h"
 
 namespace glissade {
 

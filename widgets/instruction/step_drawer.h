@@ -2,7 +2,7 @@
 
 #include <QImage>
 
-#include "engine/study/instruction/work_instruction.h"
+#include "engine/documents/instruction/work_instruction.h"
 #include "widgets/instruction/line_drawing.h"
 
 namespace glissade {

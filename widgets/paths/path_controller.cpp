@@ -5,11 +5,11 @@
 
 #include "engine/base/number_text.h"
 #include "engine/base/quantity_text.h"
+#include "engine/documents/path_report.h"
 #include "engine/files/path_exporter.h"
 #include "engine/files/path_reader.h"
 #include "engine/planning/clearance_profile.h"
 #include "engine/planning/smoothing/shortcuts.h"
-#include "engine/study/path_report.h"
 #include "widgets/controls/length_text.h"
 #include "widgets/controls/window_language.h"
 #include "widgets/film/film_dialog.h"
@@ -102,7 +102,7 @@ void PathReportJob::start(const RunResults& results, const std::shared_ptr<const
     return;
   }
   const auto folder = std::make_shared<QTemporaryDir>();
-  const StudyWords words(windowLanguage());
+  const DocumentWords words(windowLanguage());
   ReportPicture overview{folder->filePath(QStringLiteral("path.png")).toStdString(), words(GLISSADE_TEXT("The path")),
                          kPictureShare};
   if (!saveScenePicture(bench_.scene, QString::fromStdString(overview.file))) overview = {};

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "engine/base/file_save.h"
+#include "engine/documents/report.h"
 #include "engine/planning/clearance_profile.h"
-#include "engine/study/report.h"
 #include "widgets/controls/background_task.h"
 #include "widgets/film/film_job.h"
 #include "widgets/paths/path_panel.h"

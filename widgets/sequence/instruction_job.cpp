@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/documents/instruction/instruction_viewer.h"
+#include "engine/documents/plan_graph.h"
+#include "engine/documents/plan_report.h"
 #include "engine/files/plan_glb.h"
 #include "engine/files/product_name.h"
 #include "engine/sequence/exploded_view.h"
-#include "engine/study/instruction/instruction_viewer.h"
-#include "engine/study/plan_graph.h"
-#include "engine/study/plan_report.h"
 #include "widgets/controls/diagnostic_text.h"
 #include "widgets/controls/length_text.h"
 #include "widgets/controls/picture_file.h"

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "engine/base/file_save.h"
+#include "engine/documents/instruction/instruction_template.h"
+#include "engine/documents/plan_report.h"
+#include "engine/documents/plan_words.h"
 #include "engine/sequence/work_times.h"
-#include "engine/study/instruction/instruction_template.h"
-#include "engine/study/plan_report.h"
-#include "engine/study/plan_words.h"
 #include "widgets/document/sequence_planner.h"
 #include "widgets/workbench/workbench.h"
 

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "engine/study/plan_graph.h"
+#include "engine/documents/plan_graph.h"
 
 namespace glissade {
 

@@ -7,13 +7,13 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/documents/plan_graph.h"
 #include "engine/files/plan_file.h"
 #include "engine/files/product_file.h"
 #include "engine/files/product_name.h"
 #include "engine/files/scenario_bodies.h"
 #include "engine/files/sequence_knowledge.h"
 #include "engine/sequence/plan_bodies.h"
-#include "engine/study/plan_graph.h"
 #include "widgets/controls/diagnostic_text.h"
 #include "widgets/controls/window_language.h"
 #include "widgets/film/film_dialog.h"
@@ -221,7 +221,7 @@ void SequenceController::showGraph() {
 
 void SequenceController::updateGraph() {
   if (graph_ == nullptr || !graph_->isVisible() || !shown().plan || shown().plan->bodies.empty()) return;
-  graph_->setPicture(planGraphSvg(*shown().plan, *shown().product, StudyWords(windowLanguage()),
+  graph_->setPicture(planGraphSvg(*shown().plan, *shown().product, DocumentWords(windowLanguage()),
                                   graphColours(bench_.window.palette())));
 }
 

@@ -4,12 +4,12 @@
 #include <QKeyEvent>
 #include <algorithm>
 
+#include "engine/documents/plan_tasks.h"
 #include "engine/files/hand_run.h"
 #include "engine/operator/device_registry.h"
 #include "engine/planning/smoothing/shortcuts.h"
 #include "engine/sequence/demand_conflicts.h"
 #include "engine/sequence/demand_edits.h"
-#include "engine/study/plan_tasks.h"
 #include "widgets/sequence/sequence_controller.h"
 #include "widgets/sequence/sequence_edits.h"
 

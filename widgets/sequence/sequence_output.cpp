@@ -2,9 +2,9 @@
 
 #include <QFileInfo>
 
+#include "engine/documents/plan_table.h"
 #include "engine/files/plan_file.h"
 #include "engine/files/plan_glb.h"
-#include "engine/study/plan_table.h"
 
 namespace glissade {
 namespace {

@@ -14,8 +14,8 @@
 #include <algorithm>
 #include <climits>
 
+#include "engine/documents/plan_tasks.h"
 #include "engine/sequence/demand_edits.h"
-#include "engine/study/plan_tasks.h"
 #include "widgets/controls/diagnostic_text.h"
 #include "widgets/controls/length_text.h"
 #include "widgets/controls/quiet_focus.h"

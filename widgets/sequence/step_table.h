@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/access/plan_access.h"
-#include "engine/study/plan_words.h"
+#include "engine/documents/plan_words.h"
 #include "widgets/document/sequence_planner.h"
 
 namespace glissade {

@@ -5,7 +5,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
-#include "engine/study/line_chart.h"
+#include "engine/documents/line_chart.h"
 #include "widgets/controls/window_language.h"
 #include "widgets/sequence/plan_graph_view.h"
 
@@ -84,8 +84,9 @@ void TimesView::setTiming(const std::optional<PlanTiming>& timing, const GraphCo
   seconds_ = timing ? timing->sum() : 0.0;
   bars_ = !timing ? 0 : timing->line ? timing->line->load.size() : 1;
   summary_->setText(timing ? summaryOf(*timing) : tr("There is no assembly plan."));
-  QImage image =
-      timing ? imageOfSvg(lineChartSvg(*timing, StudyWords(windowLanguage()), colours), devicePixelRatioF()) : QImage();
+  QImage image = timing
+                     ? imageOfSvg(lineChartSvg(*timing, DocumentWords(windowLanguage()), colours), devicePixelRatioF())
+                     : QImage();
   image.setDevicePixelRatio(devicePixelRatioF());
   chart_->setPixmap(QPixmap::fromImage(image));
   chart_->adjustSize();

@@ -5,8 +5,8 @@
 #include <QSpinBox>
 #include <QTabWidget>
 
-#include "engine/study/plan_graph.h"
-#include "engine/study/plan_timing.h"
+#include "engine/documents/plan_graph.h"
+#include "engine/documents/plan_timing.h"
 #include "widgets/sequence/work_times_editor.h"
 
 namespace glissade {

@@ -9,7 +9,7 @@
 #include <iostream>
 
 #include "engine/base/file.h"
-#include "engine/study/short_number.h"
+#include "engine/documents/short_number.h"
 #include "engine/study/study_page.h"
 #include "widgets/controls/picture_file.h"
 #include "widgets/controls/window_language.h"

@@ -9,7 +9,7 @@ namespace {
 using Json = JsonCursor::Json;
 
 Result<std::vector<JointEdit>> readEdits(const std::string& text) {
-  return readJson(text, "s.json", [](const JsonCursor& at) { return readJointEdits(at.at("joints")); });
+  return readJson(text, "s.json", [](const JsonCursor& at) { return JointEditsFormat().read(at.at("joints")); });
 }
 
 std::vector<JointEdit> someEdits() {
@@ -35,26 +35,17 @@ std::vector<JointEdit> someEdits() {
 }
 
 TEST(JointsJson, WhatIsWrittenIsReadAndWrittenAgain) {
-  Json json = Json::object();
-  addJointEdits(someEdits(), json);
+  const Json json{{"joints", JointEditsFormat().write(someEdits())}};
   const std::string text = json.dump();
   const auto read = readEdits(text);
   ASSERT_TRUE(read) << toString(read.error());
   EXPECT_EQ(*read, someEdits());
-  Json again = Json::object();
-  addJointEdits(*read, again);
+  const Json again{{"joints", JointEditsFormat().write(*read)}};
   EXPECT_EQ(again.dump(), text);
 }
 
-TEST(JointsJson, NothingIsWrittenWhereNothingIsSaid) {
-  Json json = Json::object();
-  addJointEdits({}, json);
-  EXPECT_TRUE(json.empty());
-}
-
 TEST(JointsJson, EachFaultIsNamedWithItsPlace) {
-  Json sound = Json::object();
-  addJointEdits(someEdits(), sound);
+  const Json sound{{"joints", JointEditsFormat().write(someEdits())}};
   struct Fault {
     const char* patch;
     const char* place;

@@ -1,11 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
 
+#include "engine/documents/instruction/instruction_template.h"
 #include "engine/files/joints_json.h"
 #include "engine/files/plan_file.h"
 #include "engine/files/run_record.h"
@@ -100,6 +103,20 @@ TEST(JointsSchema, AcceptsWhatIsWritten) {
   EXPECT_EQ(schema.complaint(json.dump()), "");
   json["joints"][0]["kind"] = "rivet";
   EXPECT_NE(schema.complaint(json.dump()), "");
+}
+
+/// The files are written by the code that reads and writes the documents. GLISSADE_UPDATE_GOLDEN=1 writes them.
+TEST(Schemas, FilesAreWhatTheCodeDescribes) {
+  const std::pair<const char*, nlohmann::ordered_json> schemas[] = {
+      {"scenario-1", scenarioSchema()},
+      {"plan-1", planSchema()},
+      {"instruction-template-1", instructionTemplateSchema()}};
+  for (const auto& [name, schema] : schemas) {
+    const std::string file = test::sourceDirectory() + "/resources/schema/" + name + ".schema.json";
+    const std::string text = schema.dump(2) + "\n";
+    if (std::getenv("GLISSADE_UPDATE_GOLDEN") != nullptr) std::ofstream(file) << text;
+    EXPECT_TRUE(test::readWhole(file) == text) << name << " differs. Write it with GLISSADE_UPDATE_GOLDEN=1.";
+  }
 }
 
 /// The template of instruction_template_test.cpp is valid.

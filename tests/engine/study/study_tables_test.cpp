@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-#include "engine/study/csv_table.h"
+#include "engine/base/csv_table.h"
 #include "tests/engine/study/study_fixture.h"
 
 namespace glissade {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/engine/study/instruction/instructed_products.h"
+#include "tests/engine/documents/instruction/instructed_products.h"
 
 namespace glissade {
 namespace {

@@ -1,0 +1,259 @@
+#include "engine/documents/instruction/work_instruction.h"
+
+#include <algorithm>
+#include <set>
+
+#include "engine/documents/instruction/instruction_words.h"
+#include "engine/documents/plan_tasks.h"
+#include "engine/sequence/plan_bodies.h"
+#include "engine/sequence/step_motion.h"
+
+namespace glissade {
+namespace {
+
+/// A panel gets a close-up if the diagonal of the coming parts' box is below this share of the diagonal of all drawn
+/// parts.
+constexpr double kSmallShare = 0.12;
+/// A panel gets a close-up if a smaller share of the coming parts is visible.
+constexpr double kHiddenShare = 0.15;
+
+/// Cosine against the downward vertical. A part whose exit direction is steeper falls out; other parts rest on
+/// something.
+constexpr double kFallsOut = 0.7;
+
+/// Smallest number of equal screws that are tightened crosswise, so that they clamp a part evenly.
+constexpr std::size_t kCrosswise = 3;
+
+/// Designation of a fastener, for example "screw M3x8"; the kind of part for others.
+std::string partName(const PartsListRow& row) { return row.designation.empty() ? row.name : row.designation; }
+
+class Instructor {
+ public:
+  Instructor(const AssemblyPlan& plan, const AssembledProduct& product, const PlanWords& words, const WorkWatch& watch)
+      : plan_(plan), product_(product), words_(words), watch_(watch), view_(product) {}
+
+  WorkInstruction instruct(const std::string& title) {
+    made_.language = words_.words().language();
+    made_.title = title;
+    made_.steps = plan_.steps.size();
+    for (const RigidBody& body : product_.bodies) made_.bodies.push_back(body.id);
+    made_.parts = partsList(plan_, product_);
+    std::set<std::string> leaving;
+    for (const AssemblyStep& step : plan_.steps) {
+      for (const std::string& id : step.bodies()) leaving.insert(id);
+    }
+    std::vector<std::string> base;
+    for (const std::string& id : made_.bodies) {
+      if (leaving.count(id) == 0) base.push_back(id);
+    }
+    addLine(plan_.steps, plan_.lines, base, {});
+    return std::move(made_);
+  }
+
+ private:
+  using Ids = std::vector<std::string>;
+
+  std::string say(CatalogueText text, std::initializer_list<MessageArgument> arguments = {}) const {
+    return words_.words()(text, arguments);
+  }
+
+  /// Adds the steps of the product, or of a group. `group`: number of the step that brings the group.
+  void addLine(const std::vector<AssemblyStep>& steps, const std::vector<SubassemblyLine>& lines, const Ids& base,
+               const std::string& group) {
+    Ids present = base;
+    Viewpoint view;
+    addStart(base, group);
+    for (const TaskRange& range : taskRanges(steps, made_.parts)) {
+      if (watch_.stop.stopRequested()) return;
+      const SubassemblyLine* line = lineOf(lines, steps.size() - range.place);
+      const std::string number = taskNumber(range, group);
+      if (line != nullptr) addLine(line->steps, line->lines, baseOf(*line), number);
+      InstructionPanel panel;
+      panel.number = number;
+      panel.subassembly = group;
+      for (std::size_t at = range.place; at < range.place + range.count; ++at) {
+        panel.steps.push_back(stepAtPlace(steps, at));
+      }
+      panel.present = present;
+      describe(panel, line != nullptr);
+      look(panel, view);
+      if (panel.view.turnedOver != view.turnedOver) warnOfLoose(panel, steps, range.place);
+      for (const AssemblyStep& step : panel.steps) append(step.bodies(), present);
+      view = panel.view;
+      made_.panels.push_back(std::move(panel));
+      watch_.report(static_cast<double>(range.place + range.count) / static_cast<double>(steps.size()));
+    }
+  }
+
+  static void append(const Ids& more, Ids& ids) { ids.insert(ids.end(), more.begin(), more.end()); }
+
+  static const SubassemblyLine* lineOf(const std::vector<SubassemblyLine>& lines, std::size_t step) {
+    const auto line = std::find_if(lines.begin(), lines.end(), [&](const SubassemblyLine& each) {
+      return each.step == step && !each.steps.empty();
+    });
+    return line == lines.end() ? nullptr : &*line;
+  }
+
+  /// The bodies of a group that are there from its beginning.
+  static Ids baseOf(const SubassemblyLine& line) {
+    Ids base = line.staying;
+    for (const StuckBody& stuck : line.stuck) base.push_back(stuck.body);
+    return base;
+  }
+
+  void addStart(const Ids& base, const std::string& group) {
+    InstructionPanel panel;
+    panel.subassembly = group;
+    panel.present = base;
+    panel.fetched = fetched(base);
+    panel.work = panel.fetched.size() == 1 ? say(GLISSADE_TEXT("Put %1 on the bench."),
+                                                 {countedName(panel.fetched[0].name, panel.fetched[0].count)})
+                                           : say(GLISSADE_TEXT("Put these parts on the bench."));
+    made_.panels.push_back(std::move(panel));
+  }
+
+  const PartsListRow& rowOf(const std::string& id) {
+    if (rowOf_.empty()) {
+      for (const PartsListRow& row : made_.parts) {
+        for (const std::string& body : row.bodies) rowOf_[body] = &row;
+      }
+    }
+    return *rowOf_.at(id);
+  }
+
+  /// The parts, with equal ones combined, in their order.
+  std::vector<FetchedPart> fetched(const Ids& ids) {
+    std::vector<FetchedPart> parts;
+    std::map<const PartsListRow*, std::size_t> known;
+    for (const std::string& id : ids) {
+      const PartsListRow& row = rowOf(id);
+      const auto [at, isNew] = known.emplace(&row, parts.size());
+      if (isNew) {
+        parts.push_back({{id}, partName(row), 1});
+      } else {
+        ++parts[at->second].count;
+      }
+    }
+    return parts;
+  }
+
+  void describe(InstructionPanel& panel, bool isSubassembly) {
+    Ids coming;
+    for (const AssemblyStep& step : panel.steps) append(step.bodies(), coming);
+    if (isSubassembly) {
+      panel.fetched = {{coming, say(GLISSADE_TEXT("subassembly %1"), {panel.number}), 1}};
+    } else {
+      panel.fetched = fetched(coming);
+    }
+    std::string what;
+    for (const FetchedPart& part : panel.fetched) {
+      what += (what.empty() ? "" : ", ") + countedName(part.name, part.count);
+    }
+    panel.work = workSentence(panel.steps.front(), what, words_.words());
+    if (panel.steps.size() >= kCrosswise && isScrewed(panel.steps.front())) {
+      panel.notes.push_back(say(GLISSADE_TEXT("Start all by hand, then tighten crosswise.")));
+    }
+    std::set<std::string> said;
+    for (const AssemblyStep& step : panel.steps) {
+      const std::string tool = capitalized(words_.toolName(step));
+      if (!tool.empty() && panel.tool.empty()) panel.tool = tool;
+      if (!tool.empty() && std::find(made_.tools.begin(), made_.tools.end(), tool) == made_.tools.end()) {
+        made_.tools.push_back(tool);
+      }
+      if (!step.tool.turned.empty()) {
+        const std::string note =
+            say(GLISSADE_TEXT("Hold %1, turn %2."), {supported({step.body}), supported({step.tool.turned})});
+        if (said.insert(note).second) panel.notes.push_back(note);
+      }
+      if (step.falling.empty()) continue;
+      const std::string note = say(GLISSADE_TEXT("Needs support: %1"), {supported(step.falling)});
+      if (said.insert(note).second) panel.notes.push_back(note);
+    }
+  }
+
+  /// Warns of the parts that fall out when the product is turned over: neither a joint nor a part that was put on later
+  /// holds them.
+  void warnOfLoose(InstructionPanel& panel, const std::vector<AssemblyStep>& steps, std::size_t placed) {
+    Ids loose;
+    for (std::size_t at = 0; at < placed; ++at) {
+      const AssemblyStep& step = stepAtPlace(steps, at);
+      const std::size_t lastOpen = steps.size() - placed;  // steps of the plan up to this number are still to come
+      const bool held = !step.joints.empty() || std::any_of(step.after.begin(), step.after.end(),
+                                                            [&](std::size_t other) { return other > lastOpen; });
+      const double upwards = exitDirection(step.path).dot(panel.view.up());
+      if (!held && upwards < -kFallsOut * panel.view.up().norm()) append(step.bodies(), loose);
+    }
+    if (!loose.empty())
+      panel.notes.push_back(say(GLISSADE_TEXT("Hold while you turn it over: %1"), {supported(loose)}));
+  }
+
+  static bool isScrewed(const AssemblyStep& step) {
+    return std::any_of(step.joints.begin(), step.joints.end(),
+                       [](const StepJoint& joint) { return glissade::isScrewed(joint.kind); });
+  }
+
+  std::string supported(const Ids& ids) {
+    std::string names;
+    for (const FetchedPart& part : fetched(ids)) {
+      names += (names.empty() ? "" : ", ") + countedName(part.name, part.count);
+    }
+    return names;
+  }
+
+  void look(InstructionPanel& panel, const Viewpoint& before) {
+    BodySet present(product_.bodies.size(), false);
+    Box3 box;
+    for (const std::string& id : panel.present) {
+      const std::size_t body = *product_.indexOf(id);
+      present[body] = true;
+      box.extend(boundingBox(*product_.bodies[body].mesh, product_.bodies[body].X_WB));
+    }
+    for (const AssemblyStep& step : panel.steps) {
+      for (const std::size_t body : bodiesOf(step, product_)) present[body] = true;
+    }
+    panel.view = view_.choose(panel.steps, present, before);
+    panel.turn = turnSentence(before, panel.view, words_.words());
+    panel.aspect = aspectFrom(panel.view, present);
+    for (const AssemblyStep& step : panel.steps) {
+      Box3 coming;
+      double seen = 0.0;
+      for (const std::size_t body : bodiesOf(step, product_)) {
+        coming.extend(boundingBox(*product_.bodies[body].mesh, product_.bodies[body].X_WB));
+        seen = std::max(seen, view_.shareSeen(body, present, panel.view.toEye()));
+      }
+      const double whole = box.merged(coming).diagonal().norm();
+      if (coming.diagonal().norm() < kSmallShare * whole || seen < kHiddenShare) panel.closeUp = true;
+    }
+  }
+
+  double aspectFrom(const Viewpoint& from, const BodySet& present) const {
+    const Vector3 right = from.up().cross(from.toEye()).normalized();
+    const Vector3 up = from.toEye().cross(right);
+    Box3 box;
+    for (const std::size_t body : bodiesIn(present)) {
+      const RigidBody& there = product_.bodies[body];
+      for (const Vector3& vertex : there.mesh->vertices) {
+        const Vector3 p_W = there.X_WB * vertex;
+        box.extend(Vector3(right.dot(p_W), up.dot(p_W), 0.0));
+      }
+    }
+    return box.isEmpty() || box.sizes().y() <= 0.0 ? 1.0 : box.sizes().x() / box.sizes().y();
+  }
+
+  const AssemblyPlan& plan_;
+  const AssembledProduct& product_;
+  const PlanWords& words_;
+  const WorkWatch& watch_;
+  StepView view_;
+  WorkInstruction made_;
+  std::map<std::string, const PartsListRow*> rowOf_;
+};
+
+}  // namespace
+
+WorkInstruction workInstruction(const AssemblyPlan& plan, const AssembledProduct& product, const std::string& title,
+                                const PlanWords& words, const WorkWatch& watch) {
+  return Instructor(plan, product, words, watch).instruct(title);
+}
+
+}  // namespace glissade

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/base/work_watch.h"
+#include "engine/documents/parts_list.h"
+#include "engine/documents/plan_words.h"
+#include "engine/sequence/step_view.h"
+
+namespace glissade {
+
+/// Equal parts that a person fetches for a panel.
+struct FetchedPart {
+  std::vector<std::string> bodies;  ///< ids of the drawn bodies: one part, or all parts of a subassembly
+  std::string name;
+  std::size_t count = 1;
+};
+
+/// A unit of work with one picture: the start of a product or of a subassembly, or a task.
+struct InstructionPanel {
+  std::string number;                ///< taskNumber(); empty: the start
+  std::string subassembly;           ///< number of the step that brings the subassembly; empty: the product
+  std::vector<AssemblyStep> steps;   ///< steps in the order of assembly; empty for the start
+  std::vector<std::string> present;  ///< ids of the bodies that are present before
+  std::vector<FetchedPart> fetched;
+  std::string work;                ///< sentence with one verb: "Screw in 4 × ISO 4762 M3x8."
+  std::string tool;                ///< for example "Hex key 2.5"; empty: none
+  std::vector<std::string> notes;  ///< for example "Needs support: rod"
+  std::string turn;                ///< for example "Turn the product over."; empty: it lies as before
+  Viewpoint view;
+  double aspect = 1.0;   ///< width divided by height of all that is drawn, from this viewpoint
+  bool closeUp = false;  ///< the parts that come are small beside the rest, or partly hidden
+};
+
+/// The parts of a plan that a fitter needs, without proofs. The numbers are those of the plan in the order of assembly.
+struct WorkInstruction {
+  Language language = Language::English;
+  std::string title;
+  std::size_t steps = 0;            ///< number of steps of the plan
+  std::vector<std::string> bodies;  ///< ids of the whole product
+  std::vector<PartsListRow> parts;
+  std::vector<std::string> tools;  ///< without duplicates
+  std::vector<InstructionPanel> panels;
+};
+
+/// Makes the instruction of a plan. Each step of the plan and of its subassemblies is in one panel; a group is put
+/// together before the step that brings it. `title`: the name of the product. Ends early after a stop. Precondition:
+/// the plan is about the product.
+WorkInstruction workInstruction(const AssemblyPlan& plan, const AssembledProduct& product, const std::string& title,
+                                const PlanWords& words, const WorkWatch& watch = {});
+
+}  // namespace glissade

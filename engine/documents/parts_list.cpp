@@ -1,0 +1,146 @@
+#include "engine/documents/parts_list.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "engine/documents/plan_words.h"
+#include "engine/geometry/mesh_volume.h"
+
+namespace glissade {
+namespace {
+
+using TextsById = std::map<std::string, std::string>;
+
+void addDesignations(const std::vector<AssemblyStep>& steps, TextsById& designations) {
+  for (const AssemblyStep& step : steps) {
+    for (const StepJoint& joint : step.joints) {
+      if (!joint.designation.empty()) designations[joint.body] = joint.designation;
+    }
+  }
+}
+
+void addDesignations(const std::vector<SubassemblyLine>& lines, TextsById& designations) {
+  for (const SubassemblyLine& line : lines) {
+    addDesignations(line.steps, designations);
+    addDesignations(line.lines, designations);
+  }
+}
+
+/// Properties that two meshes of one part have in common, independent of their poses: counts, and area and volume up to
+/// rounding.
+class Shape {
+ public:
+  explicit Shape(const TriangleMesh& mesh)
+      : vertices_(mesh.vertices.size()),
+        triangles_(mesh.triangles.size()),
+        area_(areaOf(mesh)),
+        volume_(signedVolume(mesh)) {}
+  bool operator==(const Shape& other) const {
+    constexpr double kRounding = 1e-6;  // tolerance as a share of each value
+    const double length = std::sqrt(area_);
+    return vertices_ == other.vertices_ && triangles_ == other.triangles_ &&
+           std::abs(area_ - other.area_) <= kRounding * area_ &&
+           std::abs(volume_ - other.volume_) <= kRounding * length * length * length;
+  }
+
+ private:
+  std::size_t vertices_;
+  std::size_t triangles_;
+  double area_;
+  double volume_;
+};
+
+/// Numbers shapes: meshes of one shape have the same number.
+class Shapes {
+ public:
+  std::size_t numberOf(const MeshPtr& mesh) {
+    const auto known = numbers_.find(mesh);
+    if (known != numbers_.end()) return known->second;
+    const Shape shape(*mesh);
+    const auto same = std::find(shapes_.begin(), shapes_.end(), shape);
+    const auto number = static_cast<std::size_t>(same - shapes_.begin());
+    if (same == shapes_.end()) shapes_.push_back(shape);
+    numbers_.emplace(mesh, number);
+    return number;
+  }
+
+ private:
+  std::vector<Shape> shapes_;
+  std::map<MeshPtr, std::size_t> numbers_;
+};
+
+/// The name without a counter at its end: "nut" of "nut-2". Parts of one shape have it in common.
+std::string stemOf(const std::string& name) {
+  const std::size_t digits = name.find_last_not_of("0123456789");
+  if (digits == std::string::npos || digits + 1 == name.size()) return name;
+  const std::size_t end = name.find_last_not_of("-_ .:", digits);
+  return end == std::string::npos || end == digits ? name : name.substr(0, end + 1);
+}
+
+/// Numbers of steps in the order of assembly, by body.
+std::map<std::string, std::size_t> stepsByBody(const AssemblyPlan& plan) {
+  std::map<std::string, std::size_t> steps;
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    for (const std::string& id : plan.steps[i].bodies()) steps[id] = plan.steps.size() - i;
+  }
+  return steps;
+}
+
+}  // namespace
+
+std::vector<PartsListRow> partsList(const AssemblyPlan& plan, const AssembledProduct& product) {
+  TextsById designations;
+  addDesignations(plan.steps, designations);
+  addDesignations(plan.lines, designations);
+  const std::map<std::string, std::size_t> stepOf = stepsByBody(plan);
+  const std::set<std::string> base(plan.staying.begin(), plan.staying.end());
+  std::vector<PartsListRow> rows;
+  Shapes shapes;
+  constexpr std::size_t kAnyShape = static_cast<std::size_t>(-1);  // shape of all fasteners of one designation
+  std::map<std::tuple<std::string, std::size_t, std::string>, std::size_t> known;
+  for (std::size_t i = 0; i < product.bodies.size(); ++i) {
+    const RigidBody& body = product.bodies[i];
+    const auto said = designations.find(body.id);
+    const std::string designation = said == designations.end() ? std::string() : said->second;
+    const std::string name = kindOfPart(i, product);
+    const bool isDesignated = !designation.empty();
+    const auto [at, isNew] =
+        known.emplace(std::tuple(designation, isDesignated ? kAnyShape : shapes.numberOf(body.mesh),
+                                 isDesignated ? std::string() : stemOf(name)),
+                      rows.size());
+    if (isNew) rows.push_back({name, {}, designation});
+    PartsListRow& row = rows[at->second];
+    if (row.name != name && !isDesignated) row.name = stemOf(name);
+    ++row.count;
+    row.bodies.push_back(body.id);
+    const auto step = stepOf.find(body.id);
+    if (base.count(body.id) != 0) {
+      row.hasBase = true;
+    } else if (step == stepOf.end()) {
+      ++row.withoutStep;
+    } else {
+      row.steps.push_back(step->second);
+    }
+  }
+  for (PartsListRow& row : rows) {
+    std::sort(row.steps.begin(), row.steps.end());
+    row.steps.erase(std::unique(row.steps.begin(), row.steps.end()), row.steps.end());
+  }
+  std::stable_sort(rows.begin(), rows.end(), [](const PartsListRow& a, const PartsListRow& b) {
+    return a.designation < b.designation;  // parts without a designation come first
+  });
+  return rows;
+}
+
+std::string stepsText(const PartsListRow& row, const DocumentWords& words) {
+  std::string steps = row.hasBase ? words(GLISSADE_TEXT("base")) : std::string();
+  const auto add = [&](const std::string& text) { steps += (steps.empty() ? "" : ", ") + text; };
+  for (const std::size_t step : row.steps) add(std::to_string(step));
+  if (row.withoutStep > 0) add("–");
+  return steps;
+}
+
+}  // namespace glissade

@@ -1,0 +1,98 @@
+#include "engine/documents/plan_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/csv_table.h"
+#include "engine/base/quantity_text.h"
+#include "engine/documents/plan_words.h"
+#include "engine/sequence/step_motion.h"
+
+namespace glissade {
+namespace {
+
+std::optional<double> finite(double value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
+
+double largestAllowance(const AssemblyStep& step) {
+  double largest = 0.0;
+  for (const Allowance& allowance : step.allowances) largest = std::max(largest, allowance.allowance);
+  return largest;
+}
+
+/// The names of the bodies in the file, with those of their assemblies.
+class FullNames {
+ public:
+  explicit FullNames(const AssembledProduct& product) : product_(product), paths_(product.tree.shownPaths()) {}
+
+  std::string operator()(const std::string& id) const {
+    const auto node = product_.tree.find(id);
+    return node ? paths_[*node] : product_.bodies[*product_.indexOf(id)].name;
+  }
+
+ private:
+  const AssembledProduct& product_;
+  std::vector<std::string> paths_;
+};
+
+void addStep(CsvTable& table, const AssemblyStep& step, std::size_t number, const AssembledProduct& product,
+             const FullNames& nameOf, PlanOrder order) {
+  const PlanWords words(Language::English, inMillimetres);
+  double length = 0.0;
+  double turn = 0.0;
+  for (const MotionLeg& leg : legsOf(step.path)) {
+    length += leg.length;
+    turn += leg.turn;
+  }
+  table.row();
+  table.number(static_cast<double>(number));
+  std::string parts;
+  for (const std::string& id : step.bodies()) parts += (parts.empty() ? "" : "; ") + nameOf(id);
+  table.text(parts);
+  table.text(step.method);
+  table.text(words.motion(step, order));
+  table.number(length);
+  table.number(turn);
+  table.number(finite(step.proof.provedClearance));
+  table.number(finite(step.proof.minClearance));
+  table.text(step.proof.nearest.empty() ? "" : nameOf(step.proof.nearest));
+  table.number(largestAllowance(step));
+  table.number(static_cast<double>(step.wave));
+  table.text("");
+  table.text(words.tool(step, product));
+  table.text(words.standing(step, product));
+  std::string forced;
+  for (const std::string& text : words.violations(step, product)) forced += (forced.empty() ? "" : "; ") + text;
+  table.text(forced);
+}
+
+void addStuck(CsvTable& table, const StuckBody& stuck, const FullNames& nameOf) {
+  std::string blockers;
+  for (const std::string& other : stuck.blockedBy) blockers += (blockers.empty() ? "" : "; ") + nameOf(other);
+  table.row();
+  table.number(std::nullopt);
+  table.text(nameOf(stuck.body));
+  for (int column = 0; column < 2; ++column) table.text("");
+  for (int column = 0; column < 4; ++column) table.number(std::nullopt);
+  table.text("");
+  for (int column = 0; column < 2; ++column) table.number(std::nullopt);
+  table.text(blockers);
+  for (int column = 0; column < 3; ++column) table.text("");
+}
+
+}  // namespace
+
+std::string planAsCsv(const AssemblyPlan& plan, const AssembledProduct& product, PlanOrder order) {
+  CsvTable table;
+  table.header({"step", "part", "method", "motion", "length_m", "turn_rad", "proved_clearance_m", "min_clearance_m",
+                "nearest", "allowance_m", "wave", "blocked_by", "tool", "standing", "forced_although"});
+  const FullNames nameOf(product);
+  const std::size_t steps = plan.steps.size();
+  for (std::size_t i = 0; i < steps; ++i) {
+    const std::size_t step = order == PlanOrder::Assembly ? steps - 1 - i : i;
+    addStep(table, plan.steps[step], steps - step, product, nameOf, order);
+  }
+  for (const StuckBody& stuck : plan.stuck) addStuck(table, stuck, nameOf);
+  return table.content();
+}
+
+}  // namespace glissade

@@ -1,0 +1,185 @@
+#include "engine/documents/instruction/work_instruction.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "engine/documents/instruction/instruction_words.h"
+#include "tests/engine/documents/instruction/instructed_products.h"
+
+namespace glissade {
+namespace {
+
+using test::InstructedProduct;
+
+TEST(WorkInstruction, EachStepIsInOnePanelWithItsNumberInThePlan) {
+  InstructedProduct made = test::blocksOnABase(7);
+  for (const std::size_t step : {1U, 2U, 3U}) made.plan.steps[step].task = 4;
+  const WorkInstruction instruction = test::instructed(made);
+  std::map<std::string, int> seen;
+  std::vector<std::string> numbers;
+  for (const InstructionPanel& panel : instruction.panels) {
+    numbers.push_back(panel.number);
+    for (const AssemblyStep& step : panel.steps) ++seen[step.body];
+  }
+  EXPECT_EQ(numbers, (std::vector<std::string>{"", "1", "2", "3", "4–6", "7"}));
+  EXPECT_EQ(seen.size(), 7U);
+  for (const auto& [body, times] : seen) EXPECT_EQ(times, 1) << body;
+  EXPECT_EQ(instruction.panels[1].steps.front().body, "block0") << "in the order of assembly";
+  EXPECT_EQ(instruction.panels[4].work, "Place block3, block4, block5.");
+}
+
+TEST(WorkInstruction, WhatIsThereGrowsByWhatComes) {
+  const WorkInstruction instruction = test::instructed(test::blocksOnABase(3));
+  ASSERT_EQ(instruction.panels.size(), 4U);
+  EXPECT_EQ(instruction.panels[0].present, std::vector<std::string>{"base"});
+  EXPECT_EQ(instruction.panels[0].work, "Put base on the bench.");
+  EXPECT_EQ(instruction.panels[3].present, (std::vector<std::string>{"base", "block0", "block1"}));
+}
+
+TEST(WorkInstruction, AlikePartsAreFetchedTogetherWithTheirCount) {
+  InstructedProduct made = test::blocksOnABase(4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    made.plan.steps[i].task = 1;
+    StepJoint screw{JointKind::Screw, made.plan.steps[i].body, {"base"}};
+    screw.designation = "ISO 4762 M3x8";
+    screw.drive = DriveKind::HexSocket;
+    screw.driveSize = 0.0025;
+    made.plan.steps[i].joints = {screw};
+    made.plan.steps[i].tool = {ToolKind::HexKey, ToolAccess::Blocked, {"base"}};
+    made.plan.steps[i].falling = {"base"};
+  }
+  const WorkInstruction instruction = test::instructed(made);
+  ASSERT_EQ(instruction.panels.size(), 2U);
+  const InstructionPanel& panel = instruction.panels[1];
+  ASSERT_EQ(panel.fetched.size(), 1U);
+  EXPECT_EQ(panel.fetched[0].count, 4U);
+  EXPECT_EQ(panel.work, "Screw in 4 × ISO 4762 M3x8.");
+  EXPECT_EQ(panel.tool, "Hex key 2.5");
+  EXPECT_EQ(panel.notes,
+            (std::vector<std::string>{"Start all by hand, then tighten crosswise.", "Needs support: base"}))
+      << "each once";
+  EXPECT_EQ(instruction.tools, std::vector<std::string>{"Hex key 2.5"});
+  EXPECT_EQ(instruction.parts.size(), 2U) << "base, and one row for the screws";
+}
+
+TEST(WorkInstruction, AGroupIsPutTogetherBeforeItIsPutOn) {
+  InstructedProduct made = test::blocksOnABase(2);
+  AssemblyStep group = made.plan.steps[1];
+  group.with = {"block1"};
+  made.plan.lines.push_back({1, {"block0", "block1"}, {"block0"}, {made.plan.steps[0]}});
+  made.plan.steps = {group};
+  const WorkInstruction instruction = test::instructed(made);
+  std::vector<std::string> numbers;
+  for (const InstructionPanel& panel : instruction.panels) numbers.push_back(panel.number + "/" + panel.subassembly);
+  EXPECT_EQ(numbers, (std::vector<std::string>{"/", "/1", "1.1/1", "1/"}));
+  EXPECT_EQ(instruction.panels[2].present, std::vector<std::string>{"block0"});
+  EXPECT_EQ(instruction.panels[3].work, "Place subassembly 1.");
+  EXPECT_EQ(instruction.panels[3].fetched[0].bodies.size(), 2U) << "the group is drawn";
+}
+
+/// The last block comes from below.
+TEST(WorkInstruction, APartThatFallsOutWhenTheProductIsTurnedOverIsNamed) {
+  InstructedProduct made = test::blocksOnABase(3);
+  const auto block2 = *made.product.indexOf("block2");
+  made.product.bodies[block2].X_WB = Pose::translation({0.2, 0.0, -0.125});
+  made.plan.steps[0] = test::stepAlong("block2", -Vector3::UnitZ());
+  const auto turned = [](const WorkInstruction& instruction) {
+    for (const InstructionPanel& panel : instruction.panels) {
+      if (panel.view.turnedOver) return panel;
+    }
+    return InstructionPanel();
+  };
+  const InstructionPanel panel = turned(test::instructed(made));
+  ASSERT_FALSE(panel.turn.empty());
+  EXPECT_EQ(panel.notes, std::vector<std::string>{"Hold while you turn it over: block0, block1"});
+
+  made.plan.steps[1].joints = {{JointKind::Screw, "block1", {"base"}}};
+  EXPECT_EQ(turned(test::instructed(made)).notes, std::vector<std::string>{"Hold while you turn it over: block0"});
+  made.plan.steps[2].after = {2};
+  EXPECT_TRUE(turned(test::instructed(made)).notes.empty()) << "block1 keeps it";
+  made.plan.steps[2].after = {1};
+  EXPECT_EQ(turned(test::instructed(made)).notes.size(), 1U) << "what comes now does not keep it yet";
+}
+
+TEST(WorkInstruction, HasNoWordOfTheCertificate) {
+  for (const Language language : {Language::English, Language::French}) {
+    for (const std::string& text : test::textsOf(test::instructed(test::blocksOnABase(5), language))) {
+      for (const char* word :
+           {"straight", "certif", "clearance", "jeu", "allowance", "mm", "proved", "blocked", "thinner", "check"}) {
+        EXPECT_EQ(text.find(word), std::string::npos) << text;
+      }
+    }
+  }
+}
+
+TEST(WorkInstruction, IsWhollyInFrench) {
+  const DocumentWords french(Language::French);
+  const AssemblyStep step = test::stepAlong("block", Vector3::UnitZ());
+  EXPECT_EQ(workSentence(step, "block", french), "Placer block.");
+  EXPECT_EQ(test::instructed(test::blocksOnABase(1), Language::French).panels[0].work, "Poser base sur l'établi.");
+}
+
+TEST(InstructionWords, ASentenceHasTheVerbOfTheJoint) {
+  const DocumentWords english;
+  AssemblyStep step = test::stepAlong("block", Vector3::UnitZ());
+  const auto sentence = [&](JointKind kind, const std::string& body) {
+    step.joints = {{kind, body, {}}};
+    return workSentence(step, "x", english);
+  };
+  EXPECT_EQ(sentence(JointKind::Screw, "block"), "Screw in x.");
+  EXPECT_EQ(sentence(JointKind::Nut, "block"), "Screw on x.");
+  EXPECT_EQ(sentence(JointKind::Nut, "rod"), "Screw in x.") << "a shaft into a nut";
+  EXPECT_EQ(sentence(JointKind::Insert, "block"), "Press in x.");
+  EXPECT_EQ(sentence(JointKind::Unit, "block"), "Place x.");
+  step.joints.clear();
+  step.fastener = FastenerKind::Screw;
+  EXPECT_EQ(workSentence(step, "x", english), "Place x.") << "a bolt whose nut is turned";
+  step.tool.kind = ToolKind::HexKey;
+  EXPECT_EQ(workSentence(step, "x", english), "Screw in x.");
+  step.fastener = FastenerKind::Nut;
+  EXPECT_EQ(workSentence(step, "x", english), "Screw on x.");
+  step.fastener = FastenerKind::None;
+  step.allowances.push_back({"base", ContactKind::Cylindrical, 0.0, 1e-5, {}});
+  EXPECT_EQ(workSentence(step, "x", english), "Insert x.");
+  step.path.back().q.orientation = fromRollPitchYaw(0.0, 0.0, 1.0);
+  EXPECT_EQ(workSentence(step, "x", english), "Turn in x.");
+}
+
+TEST(InstructionWords, TurnsOfTheProductAreSaid) {
+  const DocumentWords english;
+  const auto turn = [&](Viewpoint from, Viewpoint to) { return turnSentence(from, to, english); };
+  EXPECT_EQ(turn({0, false}, {0, false}), "");
+  EXPECT_EQ(turn({0, false}, {0, true}), "Turn the product over.");
+  EXPECT_EQ(turn({0, false}, {1, false}), "Turn the product to the left.");
+  EXPECT_EQ(turn({3, false}, {0, false}), "Turn the product to the left.") << "quarters go round";
+  EXPECT_EQ(turn({1, false}, {0, false}), "Turn the product to the right.");
+  EXPECT_EQ(turn({0, true}, {1, true}), "Turn the product to the right.") << "it lies upside down";
+  EXPECT_EQ(turn({0, false}, {2, false}), "Turn the product by half a turn.");
+}
+
+/// The viewpoint and the up direction are consistent with the sentence: the turn in it leads from one viewpoint to the
+/// other.
+TEST(InstructionWords, ATurnToTheLeftTakesTheFrontToTheLeft) {
+  for (const bool over : {false, true}) {
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      const Viewpoint from{quarter, over};
+      const Viewpoint to{(quarter + 1) % 4, over};
+      const Vector3 front = (from.toEye() - from.toEye().z() * Vector3::UnitZ()).normalized();
+      const Vector3 right = to.up().cross(to.toEye());
+      const bool goesLeft = front.dot(right) < 0.0;
+      EXPECT_EQ(turnSentence(from, to, {}),
+                goesLeft ? "Turn the product to the left." : "Turn the product to the right.");
+    }
+  }
+}
+
+TEST(InstructionWords, TheFirstLetterIsACapitalOne) {
+  EXPECT_EQ(capitalized("hex key"), "Hex key");
+  EXPECT_EQ(capitalized("écrou"), "Écrou");
+  EXPECT_EQ(capitalized("M3"), "M3");
+  EXPECT_EQ(capitalized(""), "");
+}
+
+}  // namespace
+}  // namespace glissade
