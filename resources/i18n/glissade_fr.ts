@@ -11364,7 +11364,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>screws in bodies without a tapped hole in the file, each of which makes its own: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>vis dans des corps sans trou taraudé dans le fichier, qui font chacune le leur&#xa0;: %1</translation>
     </message>
     <message>
         <source>not for assembly: &apos;%1&apos; is pulled off &apos;%2&apos; without being unscrewed: %3</source>
@@ -15236,7 +15236,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>no tapped hole in the file, with %1</source>
-        <translation type="unfinished"></translation>
+        <translation>aucun trou taraudé dans le fichier, avec %1</translation>
     </message>
 </context>
 <context>
