@@ -11402,6 +11402,10 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <source>&apos;%1&apos; alone blocks every straight motion of it, and no other motion was found; if &apos;%1&apos; is several parts drawn as one, such as a bolt with its nut, draw them apart</source>
         <translation>«&#xa0;%1&#xa0;» bloque à lui seul chaque mouvement droit de la pièce, et aucun autre mouvement n&apos;a été trouvé&#xa0;; si «&#xa0;%1&#xa0;» est fait de plusieurs pièces dessinées en une, comme une vis avec son écrou, dessinez-les séparément</translation>
     </message>
+    <message>
+        <source>it is oriented and names no shell</source>
+        <translation>elle est orientée et ne nomme aucune coque</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
