@@ -13794,6 +13794,18 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <source>A picture of an eye: %1 draw calls, %2 triangles, %3 ms to choose them, %4 ms in OpenGL; the scene is simplified %5 of %6 times</source>
         <translation>Une image d&apos;un œil : %1 appels de dessin, %2 triangles, %3 ms pour les choisir, %4 ms dans OpenGL ; la scène est simplifiée %5 fois sur %6</translation>
     </message>
+    <message>
+        <source>The headset has not asked for a picture for seconds. Its program may be busy</source>
+        <translation>Le casque ne demande plus d'image depuis des secondes. Son programme est peut-être occupé</translation>
+    </message>
+    <message>
+        <source>The OpenXR runtime refused %1. The headset works without it</source>
+        <translation>Le moteur OpenXR a refusé %1. Le casque fonctionne sans cela</translation>
+    </message>
+    <message>
+        <source>The headset is off</source>
+        <translation>Le casque est éteint</translation>
+    </message>
 </context>
 <context>
     <name>glissade::HeadsetPage</name>

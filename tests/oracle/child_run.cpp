@@ -38,9 +38,7 @@ bool drain(int stream, std::string& into) {
   return true;
 }
 
-}  // namespace
-
-ChildEnd runChild(const std::vector<std::string>& command, const ChildLimits& limits) {
+ChildEnd runOnce(const std::vector<std::string>& command, double most) {
   int output[2];
   int errors[2];
   if (::pipe2(output, O_CLOEXEC) != 0 || ::pipe2(errors, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
@@ -54,7 +52,7 @@ ChildEnd runChild(const std::vector<std::string>& command, const ChildLimits& li
   std::array<pollfd, 2> streams{pollfd{output[0], POLLIN, 0}, pollfd{errors[0], POLLIN, 0}};
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
   while (streams[0].fd >= 0 || streams[1].fd >= 0) {
-    if (seconds() > limits.seconds) {
+    if (seconds() > most) {
       end.hung = true;
       ::kill(-child, SIGKILL);
       break;
@@ -72,6 +70,15 @@ ChildEnd runChild(const std::vector<std::string>& command, const ChildLimits& li
   end.megabytes = usage.ru_maxrss / 1024;  // largest of the child and its collected children
   if (WIFEXITED(status)) end.exitCode = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) end.signal = WTERMSIG(status);
+  return end;
+}
+
+}  // namespace
+
+ChildEnd runChild(const std::vector<std::string>& command, const ChildLimits& limits) {
+  constexpr double kPatience = 10.0;
+  ChildEnd end = runOnce(command, limits.seconds);
+  if (end.hung) end = runOnce(command, kPatience * limits.seconds);
   return end;
 }
 

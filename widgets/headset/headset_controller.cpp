@@ -7,6 +7,7 @@
 namespace glissade {
 namespace {
 
+constexpr int kStallTick = 500;  ///< ms
 /// Position of the sign, below the sign of the head tracker.
 constexpr QPoint kSignPlace(10, 48);
 
@@ -30,8 +31,14 @@ QString HeadsetController::troubleText(const HeadsetStatus& status) {
 
 QString HeadsetController::textOf(const HeadsetStatus& status) {
   switch (status.state) {
-    case HeadsetState::Off:
-    case HeadsetState::Running: return {};
+    case HeadsetState::Off: return {};
+    case HeadsetState::Running:
+      if (status.stalls) return tr("The headset has not asked for a picture for seconds. Its program may be busy");
+      if (!status.refused.empty()) {
+        return tr("The OpenXR runtime refused %1. The headset works without it")
+            .arg(QString::fromStdString(status.refused));
+      }
+      return {};
     case HeadsetState::Searching:
     case HeadsetState::Lost: return troubleText(status);
     case HeadsetState::Idle:
@@ -66,6 +73,8 @@ HeadsetController::HeadsetController(const Workbench& bench)
   headset_->setHands(bench.session.hand());
   headset_->onChanged(
       [this] { QMetaObject::invokeMethod(this, &HeadsetController::showStatus, Qt::QueuedConnection); });
+  stallTimer_.setInterval(kStallTick);
+  connect(&stallTimer_, &QTimer::timeout, this, &HeadsetController::showStatus);
   connect(bench.actions["view.headset"], &QAction::toggled, this, &HeadsetController::setOn);
   bench.onAction("headset.on-table", this, [this] { place(); });
   bench.onAction("headset.figures", this, [this] { showFigures(); });
@@ -90,8 +99,10 @@ void HeadsetController::setOn(bool on) {
   if (on) {
     place();
     headset_->start();
+    stallTimer_.start();
   } else {
     headset_->stop();
+    stallTimer_.stop();
   }
   showStatus();
 }
@@ -122,7 +133,8 @@ void HeadsetController::showStatus() {
   sign_->adjustSize();
   sign_->setVisible(!text.isEmpty() && status.state != HeadsetState::Left);
   if (!text.isEmpty()) bench_.messages.showStatus(text);
-  if (status.state == HeadsetState::Running) {
+  if (status.state == HeadsetState::Off) bench_.messages.showStatus(tr("The headset is off"));
+  if (status.state == HeadsetState::Running && text.isEmpty()) {
     bench_.messages.showStatus(tr("The scene is shown in the headset %1").arg(QString::fromStdString(status.name)));
   }
   bench_.scene.refresh();

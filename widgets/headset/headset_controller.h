@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QLabel>
+#include <QTimer>
 
 #include "widgets/workbench/workbench.h"
 
@@ -14,7 +15,7 @@ class HeadsetController final : public QObject {
  public:
   explicit HeadsetController(const Workbench& bench);
 
-  /// Text about the state of the headset; empty while it shows pictures and while it is off.
+  /// Text about the state of the headset; empty while it is off, and while it shows pictures without trouble.
   static QString textOf(const HeadsetStatus& status);
   /// Text about the cost of a picture.
   static QString textOf(const HeadsetFigures& figures);
@@ -31,7 +32,8 @@ class HeadsetController final : public QObject {
   const Workbench& bench_;
   QLabel* sign_;
   HeadsetStatus shown_;
-  Headset* headset_;  ///< the scene's headset; null: the scene can have none
+  QTimer stallTimer_;  ///< runs while the headset is on, because no change is announced for a stall
+  Headset* headset_;   ///< the scene's headset; null: the scene can have none
 };
 
 }  // namespace glissade

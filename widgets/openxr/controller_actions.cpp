@@ -17,7 +17,7 @@ void copyName(char* target, std::size_t size, const char* name) { std::strncpy(t
 
 }  // namespace
 
-ControllerActions::ControllerActions(const HeadsetRuntime& runtime, const HeadsetSession& session)
+ControllerActions::ControllerActions(const HeadsetRuntime& runtime, HeadsetSession& session)
     : runtime_(runtime), session_(session) {
   XrActionSetCreateInfo info{};
   info.type = XR_TYPE_ACTION_SET_CREATE_INFO;
@@ -132,8 +132,7 @@ BothControllers ControllerActions::read(XrTime time) {
   info.countActiveActionSets = 1;
   info.activeActionSets = &active;
   const XrResult result = xrSyncActions(session_.handle(), &info);
-  checkXr(result, "xrSyncActions");
-  if (result == XR_SESSION_NOT_FOCUSED) return {};
+  if (!session_.refused().accept(result, "xrSyncActions") || result == XR_SESSION_NOT_FOCUSED) return {};
   return {readHand(hands_[0], time), readHand(hands_[1], time)};
 }
 
@@ -159,7 +158,8 @@ ControllerState ControllerActions::readHand(Hand& hand, XrTime time) {
 void ControllerActions::readName(Hand& hand) {
   XrInteractionProfileState state{};
   state.type = XR_TYPE_INTERACTION_PROFILE_STATE;
-  checkXr(xrGetCurrentInteractionProfile(session_.handle(), hand.path, &state), "xrGetCurrentInteractionProfile");
+  const XrResult result = xrGetCurrentInteractionProfile(session_.handle(), hand.path, &state);
+  if (!session_.refused().accept(result, "xrGetCurrentInteractionProfile")) return;
   if (state.interactionProfile == hand.profile) return;
   hand.profile = state.interactionProfile;
   hand.name.clear();
@@ -180,11 +180,14 @@ std::optional<Pose> ControllerActions::locate(ControllerAction action, const Han
   const XrActionStateGetInfo info = question(action, hand);
   XrActionStatePose state{};
   state.type = XR_TYPE_ACTION_STATE_POSE;
-  checkXr(xrGetActionStatePose(session_.handle(), &info, &state), "xrGetActionStatePose");
-  if (state.isActive == XR_FALSE) return std::nullopt;
+  RefusedCalls& refused = session_.refused();
+  if (!refused.accept(xrGetActionStatePose(session_.handle(), &info, &state), "xrGetActionStatePose") ||
+      state.isActive == XR_FALSE) {
+    return std::nullopt;
+  }
   XrSpaceLocation location{};
   location.type = XR_TYPE_SPACE_LOCATION;
-  checkXr(xrLocateSpace(space, session_.room(), time, &location), "xrLocateSpace");
+  if (!refused.accept(xrLocateSpace(space, session_.room(), time, &location), "xrLocateSpace")) return std::nullopt;
   constexpr XrSpaceLocationFlags kTracked =
       XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT |
       XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
@@ -195,7 +198,7 @@ double ControllerActions::share(ControllerAction action, const Hand& hand) const
   const XrActionStateGetInfo info = question(action, hand);
   XrActionStateFloat state{};
   state.type = XR_TYPE_ACTION_STATE_FLOAT;
-  checkXr(xrGetActionStateFloat(session_.handle(), &info, &state), "xrGetActionStateFloat");
+  session_.refused().accept(xrGetActionStateFloat(session_.handle(), &info, &state), "xrGetActionStateFloat");
   return state.isActive == XR_TRUE ? static_cast<double>(state.currentState) : 0.0;
 }
 
@@ -203,7 +206,7 @@ bool ControllerActions::isDown(ControllerAction action, const Hand& hand) const 
   const XrActionStateGetInfo info = question(action, hand);
   XrActionStateBoolean state{};
   state.type = XR_TYPE_ACTION_STATE_BOOLEAN;
-  checkXr(xrGetActionStateBoolean(session_.handle(), &info, &state), "xrGetActionStateBoolean");
+  session_.refused().accept(xrGetActionStateBoolean(session_.handle(), &info, &state), "xrGetActionStateBoolean");
   return state.isActive == XR_TRUE && state.currentState == XR_TRUE;
 }
 
@@ -211,7 +214,7 @@ Eigen::Vector2d ControllerActions::stick(const Hand& hand) const {
   const XrActionStateGetInfo info = question(ControllerAction::Stick, hand);
   XrActionStateVector2f state{};
   state.type = XR_TYPE_ACTION_STATE_VECTOR2F;
-  checkXr(xrGetActionStateVector2f(session_.handle(), &info, &state), "xrGetActionStateVector2f");
+  session_.refused().accept(xrGetActionStateVector2f(session_.handle(), &info, &state), "xrGetActionStateVector2f");
   if (state.isActive == XR_FALSE) return Eigen::Vector2d::Zero();
   return {state.currentState.x, state.currentState.y};
 }
@@ -226,8 +229,8 @@ void ControllerActions::pulse(ControllerSide side, double strength) {
   vibration.duration = kPulse;
   vibration.frequency = XR_FREQUENCY_UNSPECIFIED;
   vibration.amplitude = static_cast<float>(strength);
-  checkXr(xrApplyHapticFeedback(session_.handle(), &info, reinterpret_cast<const XrHapticBaseHeader*>(&vibration)),
-          "xrApplyHapticFeedback");
+  const auto* feedback = reinterpret_cast<const XrHapticBaseHeader*>(&vibration);
+  session_.refused().accept(xrApplyHapticFeedback(session_.handle(), &info, feedback), "xrApplyHapticFeedback");
 }
 
 }  // namespace glissade

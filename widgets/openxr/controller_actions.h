@@ -13,10 +13,10 @@
 namespace glissade {
 
 /// The actions of OpenXR by which the controllers of a session are read. Used on the thread of the session, and
-/// destroyed before it. Functions throw HeadsetFailure.
+/// destroyed before it. Functions throw HeadsetFailure; a refused call of read() and pulse() has no effect.
 class ControllerActions {
  public:
-  ControllerActions(const HeadsetRuntime& runtime, const HeadsetSession& session);
+  ControllerActions(const HeadsetRuntime& runtime, HeadsetSession& session);
   ~ControllerActions();
   ControllerActions(const ControllerActions&) = delete;
   ControllerActions& operator=(const ControllerActions&) = delete;
@@ -56,7 +56,7 @@ class ControllerActions {
   Eigen::Vector2d stick(const Hand& hand) const;
 
   const HeadsetRuntime& runtime_;
-  const HeadsetSession& session_;
+  HeadsetSession& session_;
   XrActionSet set_ = XR_NULL_HANDLE;
   std::array<XrAction, kControllerActions> actions_{};
   std::array<Hand, 2> hands_;

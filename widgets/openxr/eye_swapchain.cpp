@@ -43,8 +43,9 @@ std::array<XrViewConfigurationView, 2> sizesOfEyes(const HeadsetRuntime& runtime
   return eyes;
 }
 
-EyeSwapchain::EyeSwapchain(const HeadsetSession& session, std::int64_t format, const XrViewConfigurationView& size)
-    : width_(static_cast<int>(size.recommendedImageRectWidth)),
+EyeSwapchain::EyeSwapchain(HeadsetSession& session, std::int64_t format, const XrViewConfigurationView& size)
+    : session_(session),
+      width_(static_cast<int>(size.recommendedImageRectWidth)),
       height_(static_cast<int>(size.recommendedImageRectHeight)) {
   XrSwapchainCreateInfo info{};
   info.type = XR_TYPE_SWAPCHAIN_CREATE_INFO;
@@ -79,22 +80,28 @@ void EyeSwapchain::readTextures() {
   for (const XrSwapchainImageOpenGLKHR& image : images) textures_.push_back(image.image);
 }
 
-unsigned EyeSwapchain::acquire() {
+/// After a refusal, a texture that an earlier refusal has left acquired is given back.
+std::optional<unsigned> EyeSwapchain::acquire() {
   XrSwapchainImageAcquireInfo acquire{};
   acquire.type = XR_TYPE_SWAPCHAIN_IMAGE_ACQUIRE_INFO;
   std::uint32_t index = 0;
-  checkXr(xrAcquireSwapchainImage(swapchain_, &acquire, &index), "xrAcquireSwapchainImage");
+  RefusedCalls& refused = session_.refused();
+  if (!refused.accept(xrAcquireSwapchainImage(swapchain_, &acquire, &index), "xrAcquireSwapchainImage")) {
+    release();
+    return std::nullopt;
+  }
   XrSwapchainImageWaitInfo wait{};
   wait.type = XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO;
   wait.timeout = XR_INFINITE_DURATION;
-  checkXr(xrWaitSwapchainImage(swapchain_, &wait), "xrWaitSwapchainImage");
-  return textures_.at(index);
+  if (refused.accept(xrWaitSwapchainImage(swapchain_, &wait), "xrWaitSwapchainImage")) return textures_.at(index);
+  release();
+  return std::nullopt;
 }
 
 void EyeSwapchain::release() {
   XrSwapchainImageReleaseInfo info{};
   info.type = XR_TYPE_SWAPCHAIN_IMAGE_RELEASE_INFO;
-  checkXr(xrReleaseSwapchainImage(swapchain_, &info), "xrReleaseSwapchainImage");
+  session_.refused().accept(xrReleaseSwapchainImage(swapchain_, &info), "xrReleaseSwapchainImage");
 }
 
 XrSwapchainSubImage EyeSwapchain::picture() const {

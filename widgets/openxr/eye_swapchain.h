@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "widgets/openxr/headset_session.h"
@@ -13,15 +14,16 @@ namespace glissade {
 /// The pictures of one eye, in turn, as textures of the runtime. Functions throw HeadsetFailure.
 class EyeSwapchain {
  public:
-  EyeSwapchain(const HeadsetSession& session, std::int64_t format, const XrViewConfigurationView& size);
+  EyeSwapchain(HeadsetSession& session, std::int64_t format, const XrViewConfigurationView& size);
   ~EyeSwapchain();
   EyeSwapchain(const EyeSwapchain&) = delete;
   EyeSwapchain& operator=(const EyeSwapchain&) = delete;
 
   int width() const { return width_; }
   int height() const { return height_; }
-  /// Returns the texture to draw into next, and waits until the runtime does not read it any more.
-  unsigned acquire();
+  /// Returns the texture to draw into next, and waits until the runtime does not read it any more. Nothing where the
+  /// runtime refuses it.
+  std::optional<unsigned> acquire();
   /// Gives the drawn texture back to the runtime.
   void release();
   /// The whole picture, as a layer refers to it.
@@ -30,6 +32,7 @@ class EyeSwapchain {
  private:
   void readTextures();
 
+  HeadsetSession& session_;
   XrSwapchain swapchain_ = XR_NULL_HANDLE;
   int width_;
   int height_;

@@ -31,6 +31,7 @@ class Headset {
   /// Searches for a headset and shows the scene in it, until stop() is called or the person leaves.
   virtual void start() = 0;
   virtual void stop() = 0;
+  /// A stall is seen by asking: no change is announced for it.
   virtual HeadsetStatus status() const = 0;
   virtual HeadsetFigures figures() const = 0;
   /// Takes effect with the next picture.

@@ -1,6 +1,8 @@
 #include "widgets/openxr/headset_connection.h"
 
+#include <chrono>
 #include <cmath>
+#include <thread>
 #include <utility>
 
 #include "widgets/openxr/text_in_room.h"
@@ -16,6 +18,8 @@ EyeSides sidesOf(const XrFovf& angles) {
 
 /// Height of a text over the hand, metres of the room.
 constexpr double kOverHand = 0.09;
+/// Wait after a picture that the runtime refuses, so that the thread does not take a processor for itself.
+constexpr std::chrono::milliseconds kRefusedWait{10};
 
 /// The pose of the head: the middle of the eyes' poses.
 Pose headOf(const EyeViews& views) { return interpolate(poseOf(views[0].pose), poseOf(views[1].pose), 0.5); }
@@ -40,16 +44,19 @@ HeadsetConnection::HeadsetConnection(HeadsetScene& scene, HandInputsPtr hands, H
 HeadsetConnection::~HeadsetConnection() { tools_->pointer.set(std::nullopt); }
 
 void HeadsetConnection::showPicture(RoomWalk& walk) {
-  const XrFrameState frame = session_.waitFrame();
-  session_.beginFrame();
+  const auto begun = session_.beginPicture();
+  if (!begun) {
+    std::this_thread::sleep_for(kRefusedWait);
+    return;
+  }
+  const XrFrameState& frame = *begun;
   EyeViews views;
   const bool isTracked = session_.locate(frame.predictedDisplayTime, views);
   readControllers(frame.predictedDisplayTime, views, walk);
   std::array<XrCompositionLayerProjectionView, 2> shown{};
-  const bool isShown = isTracked && frame.shouldRender == XR_TRUE;
+  const bool isShown = isTracked && frame.shouldRender == XR_TRUE && draw(views, walk, shown);
   if (isShown) {
     rate_.advance(PictureRate::Time(frame.predictedDisplayTime), PictureRate::Time(frame.predictedDisplayPeriod));
-    draw(views, walk, shown);
   } else {
     rate_.interrupt();
   }
@@ -75,13 +82,27 @@ void HeadsetConnection::readControllers(XrTime time, const EyeViews& views, Room
   }
 }
 
-void HeadsetConnection::draw(const EyeViews& views, const RoomWalk& walk,
+/// Takes the next texture of each eye; false if the runtime refuses one.
+bool HeadsetConnection::acquire(std::array<unsigned, 2>& textures) {
+  const auto left = swapchains_[0]->acquire();
+  if (!left) return false;
+  const auto right = swapchains_[1]->acquire();
+  if (!right) {
+    swapchains_[0]->release();
+    return false;
+  }
+  textures = {*left, *right};
+  return true;
+}
+
+/// False if the runtime refuses the textures.
+bool HeadsetConnection::draw(const EyeViews& views, const RoomWalk& walk,
                              std::array<XrCompositionLayerProjectionView, 2>& shown) {
   std::array<EyeSight, 2> eyes;
   std::array<unsigned, 2> textures{};
+  if (!acquire(textures)) return false;
   for (std::size_t eye = 0; eye < views.size(); ++eye) {
     eyes[eye] = sightOf(walk.room(), poseOf(views[eye].pose), sidesOf(views[eye].fov));
-    textures[eye] = swapchains_[eye]->acquire();
     shown[eye].type = XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW;
     shown[eye].pose = views[eye].pose;
     shown[eye].fov = views[eye].fov;
@@ -89,6 +110,7 @@ void HeadsetConnection::draw(const EyeViews& views, const RoomWalk& walk,
   }
   scene_.draw(eyes, rate_.detail(), shownHands(headOf(views), walk.room(), walk.target()), textures);
   for (auto& swapchain : swapchains_) swapchain->release();
+  return true;
 }
 
 /// Models, panel and texts to draw. The ray of a hand that points at the panel ends there.

@@ -32,10 +32,13 @@ class HeadsetConnection {
   void showPicture(RoomWalk& walk);
   /// Simplification of the scene, as PictureRate counts it.
   int detailStep() const { return rate_.step(); }
+  /// The first call of pictures and controllers that the runtime refused, and its result; empty: none.
+  const std::string& refused() { return session_.refused().first(); }
 
  private:
   void readControllers(XrTime time, const EyeViews& views, RoomWalk& walk);
-  void draw(const EyeViews& views, const RoomWalk& walk, std::array<XrCompositionLayerProjectionView, 2>& shown);
+  bool draw(const EyeViews& views, const RoomWalk& walk, std::array<XrCompositionLayerProjectionView, 2>& shown);
+  bool acquire(std::array<unsigned, 2>& textures);
   ShownHands shownHands(const Pose& X_RH, const RoomPlacement& room, const std::optional<Vector3>& p_WT) const;
   std::vector<ShownPicture> textsInRoom(const Vector3& p_RH, const RoomPlacement& room) const;
 

@@ -22,4 +22,17 @@ class HeadsetFailure : public std::runtime_error {
 /// Throws if `call` has failed. A result that names no trouble of its own gives `otherwise`.
 void checkXr(XrResult result, const char* call, HeadsetTrouble otherwise = HeadsetTrouble::Failed);
 
+/// Calls that a runtime refused although nothing was lost. The connection goes on without their effect.
+class RefusedCalls {
+ public:
+  /// True if the call has succeeded; else the call is noted. Throws HeadsetFailure if the session or the runtime is
+  /// lost.
+  bool accept(XrResult result, const char* call);
+  /// The first refused call and its result; empty: none.
+  const std::string& first() const { return first_; }
+
+ private:
+  std::string first_;
+};
+
 }  // namespace glissade

@@ -32,6 +32,9 @@ struct HeadsetStatus {
   HeadsetTrouble trouble = HeadsetTrouble::None;
   std::string detail;  ///< the call of OpenXR that failed, and its result
   std::string name;    ///< name of the headset by its runtime; empty if none is connected
+  /// The first call that the runtime refused although nothing was lost, and its result; empty: none.
+  std::string refused{};
+  bool stalls = false;  ///< pictures are shown, and the runtime has not asked for one for seconds
 
   friend bool operator==(const HeadsetStatus&, const HeadsetStatus&) = default;
 };
@@ -57,6 +60,8 @@ class HeadsetMachine {
   /// The runtime asks for pictures (begin) or stops asking (end).
   void begin();
   void end();
+  /// The runtime refuses calls although nothing is lost; empty: none.
+  void setRefused(const std::string& call) { status_.refused = call; }
   void lose(HeadsetTrouble trouble, const std::string& detail);
   /// The lost connection was taken down. If it had shown pictures, a search begins at once.
   void release(Time now);

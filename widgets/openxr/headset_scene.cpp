@@ -39,17 +39,17 @@ void HeadsetScene::setTarget(std::size_t eye, int width, int height, std::int64_
 
 void HeadsetScene::draw(const std::array<EyeSight, 2>& eyes, const EyeDetail& detail, const ShownHands& hands,
                         const std::array<unsigned, 2>& textures) {
-  std::unique_lock lock(*graph_.mutex);
-  hands_.show(hands);
-  panel_.show(hands.panel, 1.0 / hands.scale);
-  showTexts(hands);
-  for (std::size_t eye = 0; eye < painters_.size(); ++eye) {
-    if (!lock) lock.lock();
-    horizon_.moveTo(eyes[eye]);
-    painters_[eye]->draw(eyes[eye], detail);
-    lock.unlock();
-    painters_[eye]->copyTo(textures[eye]);
+  {
+    const std::lock_guard lock(*graph_.mutex);
+    hands_.show(hands);
+    panel_.show(hands.panel, 1.0 / hands.scale);
+    showTexts(hands);
+    for (std::size_t eye = 0; eye < painters_.size(); ++eye) {
+      horizon_.moveTo(eyes[eye]);
+      painters_[eye]->draw(eyes[eye], detail);
+    }
   }
+  for (std::size_t eye = 0; eye < painters_.size(); ++eye) painters_[eye]->copyTo(textures[eye]);
 }
 
 EyeFigures HeadsetScene::figures() {

@@ -21,7 +21,7 @@ struct SharedGraph {
 };
 
 /// The view of both eyes of the shared graph, and the OpenGL context that draws it. Used on one thread, on which the
-/// context is current; locks the graph's mutex for each eye.
+/// context is current; locks the graph's mutex for a picture of both eyes.
 class HeadsetScene {
  public:
   /// Throws HeadsetFailure.
@@ -34,8 +34,7 @@ class HeadsetScene {
   void setBackground(const Colour& above, const Colour& below);
   /// Sets size and format of the textures of an eye; 0 is the left one.
   void setTarget(std::size_t eye, int width, int height, std::int64_t format);
-  /// Draws one picture for each eye into textures of the context. An edit between the two pictures is seen by one eye a
-  /// picture earlier.
+  /// Draws one picture for each eye into textures of the context. Both show the scene at one moment.
   void draw(const std::array<EyeSight, 2>& eyes, const EyeDetail& detail, const ShownHands& hands,
             const std::array<unsigned, 2>& textures);
   /// Figures of the last picture of the left eye.

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "widgets/openxr/headset_failure.h"
-
 // These headers come last, because their macros are common words.
 #define XR_USE_PLATFORM_XLIB
 #define XR_USE_GRAPHICS_API_OPENGL
@@ -113,22 +111,19 @@ SessionChange HeadsetSession::change(XrSessionState state) {
   }
 }
 
-XrFrameState HeadsetSession::waitFrame() {
-  XrFrameWaitInfo info{};
-  info.type = XR_TYPE_FRAME_WAIT_INFO;
+std::optional<XrFrameState> HeadsetSession::beginPicture() {
+  XrFrameWaitInfo wait{};
+  wait.type = XR_TYPE_FRAME_WAIT_INFO;
   XrFrameState state{};
   state.type = XR_TYPE_FRAME_STATE;
-  checkXr(xrWaitFrame(session_, &info, &state), "xrWaitFrame");
+  if (!refused_.accept(xrWaitFrame(session_, &wait, &state), "xrWaitFrame")) return std::nullopt;
+  XrFrameBeginInfo begin{};
+  begin.type = XR_TYPE_FRAME_BEGIN_INFO;
+  if (!refused_.accept(xrBeginFrame(session_, &begin), "xrBeginFrame")) return std::nullopt;
   return state;
 }
 
-void HeadsetSession::beginFrame() {
-  XrFrameBeginInfo info{};
-  info.type = XR_TYPE_FRAME_BEGIN_INFO;
-  checkXr(xrBeginFrame(session_, &info), "xrBeginFrame");
-}
-
-bool HeadsetSession::locate(XrTime time, EyeViews& views) const {
+bool HeadsetSession::locate(XrTime time, EyeViews& views) {
   for (XrView& view : views) {
     view = {};
     view.type = XR_TYPE_VIEW;
@@ -141,8 +136,10 @@ bool HeadsetSession::locate(XrTime time, EyeViews& views) const {
   XrViewState state{};
   state.type = XR_TYPE_VIEW_STATE;
   std::uint32_t count = 0;
-  checkXr(xrLocateViews(session_, &info, &state, static_cast<std::uint32_t>(views.size()), &count, views.data()),
-          "xrLocateViews");
+  const auto capacity = static_cast<std::uint32_t>(views.size());
+  if (!refused_.accept(xrLocateViews(session_, &info, &state, capacity, &count, views.data()), "xrLocateViews")) {
+    return false;
+  }
   constexpr XrViewStateFlags kBoth = XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT;
   return count == views.size() && (state.viewStateFlags & kBoth) == kBoth;
 }
@@ -155,7 +152,7 @@ void HeadsetSession::endFrame(XrTime time, const XrCompositionLayerProjection* l
   info.environmentBlendMode = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
   info.layerCount = layer != nullptr ? 1 : 0;
   info.layers = layer != nullptr ? &layers : nullptr;
-  checkXr(xrEndFrame(session_, &info), "xrEndFrame");
+  refused_.accept(xrEndFrame(session_, &info), "xrEndFrame");
 }
 
 }  // namespace glissade

@@ -3,8 +3,10 @@
 #include <openxr/openxr.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
+#include "widgets/openxr/headset_failure.h"
 #include "widgets/openxr/headset_runtime.h"
 #include "widgets/openxr/private_context.h"
 
@@ -31,13 +33,16 @@ class HeadsetSession {
   /// Takes events until one of them changes the session.
   SessionChange poll();
 
-  /// Waits for the time of the next picture, which the runtime decides.
-  XrFrameState waitFrame();
-  void beginFrame();
+  /// Waits for the time of the next picture, which the runtime decides, and begins the picture. Nothing where the
+  /// runtime refuses it.
+  std::optional<XrFrameState> beginPicture();
   /// Fills `views`; false if the head is not tracked.
-  bool locate(XrTime time, EyeViews& views) const;
+  bool locate(XrTime time, EyeViews& views);
   /// Ends the picture; null: nothing is shown.
   void endFrame(XrTime time, const XrCompositionLayerProjection* layer);
+
+  /// The calls of pictures and controllers that the runtime refused.
+  RefusedCalls& refused() { return refused_; }
 
  private:
   void create(const GlxHandles& handles);
@@ -48,6 +53,7 @@ class HeadsetSession {
   const HeadsetRuntime& runtime_;
   XrSession session_ = XR_NULL_HANDLE;
   XrSpace room_ = XR_NULL_HANDLE;
+  RefusedCalls refused_;
 };
 
 }  // namespace glissade

@@ -14,6 +14,8 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kIdleWait{20};
 /// Number of pictures between two counts.
 constexpr int kBetweenCounts = 20;
+/// Time without a picture after which the runtime stalls.
+constexpr std::chrono::seconds kStall{2};
 
 }  // namespace
 
@@ -29,7 +31,9 @@ void HeadsetThread::setWanted(bool wanted) {
 
 HeadsetStatus HeadsetThread::status() const {
   const std::lock_guard lock(mutex_);
-  return status_;
+  HeadsetStatus status = status_;
+  status.stalls = status.state == HeadsetState::Running && Clock::now() - lastPicture_ > kStall;
+  return status;
 }
 
 HeadsetFigures HeadsetThread::figures() const {
@@ -153,12 +157,14 @@ void HeadsetThread::show() {
   std::optional<Background> background;
   {
     const std::lock_guard lock(mutex_);
+    lastPicture_ = Clock::now();
     placed = std::exchange(placed_, std::nullopt);
     background = std::exchange(background_, std::nullopt);
   }
   if (background) scene_->setBackground(background->above, background->below);
   if (placed) walk_.place(*placed);
   connection_->showPicture(walk_);
+  machine_.setRefused(connection_->refused());
   if (++sinceCount_ >= kBetweenCounts) count();
 }
 

@@ -59,6 +59,7 @@ class HeadsetThread : public std::enable_shared_from_this<HeadsetThread> {
   bool wanted_ = false;
   bool alive_ = false;  ///< a thread exists
   HeadsetStatus status_;
+  std::chrono::steady_clock::time_point lastPicture_{};  ///< begin of the last picture
   HeadsetFigures figures_;
   std::optional<RoomPlacement> placed_;   ///< placement that the thread has not taken yet
   std::optional<Background> background_;  ///< colours that the thread has not taken yet

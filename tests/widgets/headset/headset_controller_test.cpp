@@ -44,6 +44,21 @@ TEST_F(HeadsetControllerTest, WhatIsMissingIsSaidUntilPicturesAreShown) {
   EXPECT_TRUE(action("view.headset").isChecked());
 }
 
+TEST_F(HeadsetControllerTest, ARefusedCallAndAStallAreSaidWhilePicturesAreShown) {
+  action("view.headset").trigger();
+  HeadsetStatus status{HeadsetState::Running, HeadsetTrouble::None, "", "Goggles"};
+  headset_.say(status);
+  status.refused = "xrApplyHapticFeedback -19";
+  headset_.say(status);
+  EXPECT_TRUE(sign().text().contains(QStringLiteral("xrApplyHapticFeedback -19")));
+  status.stalls = true;
+  headset_.say(status);
+  EXPECT_TRUE(sign().text().contains(QStringLiteral("seconds")));
+  headset_.say({HeadsetState::Off, HeadsetTrouble::None, "", ""});
+  EXPECT_FALSE(hasSign());
+  EXPECT_FALSE(window_.statusBar()->currentMessage().contains(QStringLiteral("Goggles")));
+}
+
 TEST_F(HeadsetControllerTest, EveryTroubleHasWordsOfItsOwn) {
   QStringList said;
   for (const auto trouble :

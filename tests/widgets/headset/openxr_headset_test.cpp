@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <future>
 #include <random>
 #include <thread>
 
@@ -316,6 +317,78 @@ TEST_F(OpenXrHeadsetTest, AnEditOfTheSceneIsSeenAndTheHeadMoves) {
   EXPECT_GT(test::difference(before, imageOf(pictures().at(0))).mean, 1.0);
 }
 
+/// Mean row of the pixels that differ from the background in red; nothing where no such pixel is there.
+double rowOfRed(const EyePicture& picture) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      const std::uint8_t* pixel = &picture.rgba[4U * static_cast<std::size_t>(y * picture.width + x)];
+      if (pixel[0] < 120 || pixel[1] > 60 || pixel[2] > 60) continue;
+      sum += y;
+      count += 1.0;
+    }
+  }
+  return sum / count;
+}
+
+/// A red ball jumps between two heights while pictures are shown. The eyes are turned outwards, so that their rows
+/// differ; each height has its own pair of rows.
+TEST_F(OpenXrHeadsetTest, BothEyesShowAMovingBodyAtOneMoment) {
+  LoadedScenario scene = *scenario_;
+  RigidBody ball = scene.obstacles.front();
+  ball.id = "ball";
+  ball.mesh = std::make_shared<const TriangleMesh>(makeSphere(0.4, 3));
+  ball.colour = {1.0, 0.0, 0.0};
+  const std::array<Pose, 2> heights{Pose::translation({2.0, -1.0, 4.0}), Pose::translation({2.0, -1.0, 6.0})};
+  ball.X_WB = heights[0];
+  scene.obstacles.push_back(ball);
+  view_.setDepthShading(false);
+  view_.setScenario(std::make_shared<const LoadedScenario>(scene));
+  const std::size_t index = scene.obstacles.size() - 1;
+  headset_->start();
+  ASSERT_TRUE(becomes(HeadsetState::Running));
+  std::array<std::array<double, 2>, 2> rows{};
+  for (std::size_t height = 0; height < 2; ++height) {
+    view_.placeObstacle(index, heights[height]);
+    const std::vector<EyePicture> shown = pictures();
+    ASSERT_EQ(shown.size(), 2U);
+    for (std::size_t eye = 0; eye < 2; ++eye) rows[height][eye] = rowOfRed(shown[eye]);
+  }
+  ASSERT_GT(std::abs(rows[0][0] - rows[1][0]), 5.0) << "the ball is seen at both heights";
+  constexpr int kPictures = 60;
+  int split = 0;
+  for (int i = 0; i < kPictures; ++i) {
+    auto taken = std::async(std::launch::async, [] { return test::nextPictures(20s); });
+    for (std::size_t jump = 0; taken.wait_for(0s) != std::future_status::ready; ++jump) {
+      view_.placeObstacle(index, heights[jump % 2]);
+    }
+    const std::vector<EyePicture> shown = taken.get();
+    ASSERT_EQ(shown.size(), 2U);
+    const double left = rowOfRed(shown[0]);
+    const std::size_t height = std::abs(left - rows[0][0]) < std::abs(left - rows[1][0]) ? 0 : 1;
+    if (std::abs(rowOfRed(shown[1]) - rows[height][1]) > 0.5) ++split;
+  }
+  EXPECT_EQ(split, 0) << "of " << kPictures;
+}
+
+/// Nothing ends, and the window says what was refused first.
+TEST_F(OpenXrHeadsetTest, AThousandRefusedCallsLoseNothing) {
+  headset_->start();
+  ASSERT_TRUE(becomes(HeadsetState::Running));
+  test::ControllerMoment moment;
+  moment.X_RG = Pose::translation({0.2, 1.1, -0.3});
+  test::setController(0, moment);
+  test::setController(1, moment);
+  const int sessions = test::madeSessions();
+  test::refuse(1000);
+  ASSERT_TRUE(until([] { return test::callsToRefuse() == 0; }, 120s));
+  EXPECT_TRUE(showsMore());
+  EXPECT_EQ(state(), HeadsetState::Running);
+  EXPECT_EQ(test::madeSessions(), sessions);
+  EXPECT_NE(headset_->status().refused.find("-22"), std::string::npos) << headset_->status().refused;
+}
+
 TEST_F(OpenXrHeadsetTest, WithoutAHeadsetThereIsNoThread) {
   window_.draw(view_);
   const std::size_t before = threads();
@@ -387,6 +460,7 @@ TEST_F(OpenXrHeadsetTest, AStallHoldsNeitherTheWindowNorItsEdits) {
   const auto stall = 2000ms;
   test::stallOnce(stall);
   ASSERT_TRUE(showsMore());  // a picture before the stall, or after it
+  EXPECT_FALSE(headset_->status().stalls);
   const auto begin = std::chrono::steady_clock::now();
   int drawn = 0;
   for (; drawn < 10; ++drawn) {
@@ -397,6 +471,15 @@ TEST_F(OpenXrHeadsetTest, AStallHoldsNeitherTheWindowNorItsEdits) {
   EXPECT_EQ(state(), HeadsetState::Off);
   EXPECT_LT(std::chrono::steady_clock::now() - begin, stall);
   EXPECT_TRUE(until([] { return test::heldHandles() == 0; }));
+}
+
+TEST_F(OpenXrHeadsetTest, AStallOfSecondsIsSaidUntilItEnds) {
+  headset_->start();
+  ASSERT_TRUE(becomes(HeadsetState::Running));
+  test::stallOnce(4000ms);
+  EXPECT_TRUE(until([this] { return headset_->status().stalls; }));
+  EXPECT_TRUE(until([this] { return !headset_->status().stalls; }));
+  EXPECT_EQ(state(), HeadsetState::Running);
 }
 
 TEST_F(OpenXrHeadsetTest, SomeHundredLossesStallsAndExitsAtRandomPoints) {

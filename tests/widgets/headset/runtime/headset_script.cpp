@@ -75,6 +75,13 @@ XrResult sessionResult(const RuntimeState& state) {
   return XR_SUCCESS;
 }
 
+XrResult callResult(RuntimeState& state) {
+  const XrResult result = sessionResult(state);
+  if (result != XR_SUCCESS || state.refusals == 0 || state.refusing() % 3 != 0) return result;
+  --state.refusals;
+  return XR_ERROR_PATH_UNSUPPORTED;
+}
+
 EyeSides scriptedSides(std::size_t eye) {
   const EyeSides left{-1.10, 0.90, -1.05, 0.95};
   return eye == 0 ? left : EyeSides{-left.right, -left.left, left.down, left.up};
@@ -167,6 +174,12 @@ void FakeController::advanceTo(Time now) {
 void stallOnce(std::chrono::milliseconds duration) {
   change([duration](RuntimeState& state) { state.stall = duration; });
 }
+
+void refuse(int calls) {
+  change([calls](RuntimeState& state) { state.refusals = calls; });
+}
+
+int callsToRefuse() { return read(&RuntimeState::refusals); }
 
 void setPictureInterval(double seconds) {
   const auto interval = std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(seconds));

@@ -64,6 +64,10 @@ std::vector<double> takePulses(std::size_t hand);
 int readControllers();
 /// The next wait for a picture takes this time.
 void stallOnce(std::chrono::milliseconds duration);
+/// Refuses so many of the next calls of pictures and controllers, about one of three.
+void refuse(int calls);
+/// Number of calls that are still to be refused.
+int callsToRefuse();
 /// Sets the time between the times for which pictures are wanted, independently of the program's speed. By default it
 /// is 1/90 s. The clock is the runtime's own, so that nothing depends on the speed of the machine.
 void setPictureInterval(double seconds);

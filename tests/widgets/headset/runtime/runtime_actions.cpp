@@ -123,7 +123,7 @@ XRAPI_ATTR XrResult XRAPI_CALL currentProfile(XrSession session, XrPath hand, Xr
   {
     RuntimeState& state = runtimeState();
     const Lock lock(state.mutex);
-    if (const XrResult result = sessionResult(state); result != XR_SUCCESS) return result;
+    if (const XrResult result = callResult(state); result != XR_SUCCESS) return result;
     if (!state.attached) return XR_ERROR_ACTIONSET_NOT_ATTACHED;
     isThere = momentOf(state, hand).isThere;
   }
@@ -136,7 +136,7 @@ XRAPI_ATTR XrResult XRAPI_CALL currentProfile(XrSession session, XrPath hand, Xr
 XRAPI_ATTR XrResult XRAPI_CALL syncActions(XrSession /*session*/, const XrActionsSyncInfo* /*info*/) {
   RuntimeState& state = runtimeState();
   const Lock lock(state.mutex);
-  if (const XrResult result = sessionResult(state); result != XR_SUCCESS) return result;
+  if (const XrResult result = callResult(state); result != XR_SUCCESS) return result;
   if (!state.attached) return XR_ERROR_ACTIONSET_NOT_ATTACHED;
   if (state.sessionState != XR_SESSION_STATE_FOCUSED) return XR_SESSION_NOT_FOCUSED;
   ++state.syncs;
@@ -206,7 +206,7 @@ XRAPI_ATTR XrResult XRAPI_CALL locateSpace(XrSpace space, XrSpace /*base*/, XrTi
                                            XrSpaceLocation* location) {
   RuntimeState& state = runtimeState();
   const Lock lock(state.mutex);
-  if (const XrResult result = sessionResult(state); result != XR_SUCCESS) return result;
+  if (const XrResult result = callResult(state); result != XR_SUCCESS) return result;
   const ControllerMoment& moment = momentOf(state, state.actionSpaces.at(reinterpret_cast<std::uint64_t>(space)));
   location->locationFlags = 0;
   location->pose = toXr(moment.X_RG);
@@ -221,7 +221,7 @@ XRAPI_ATTR XrResult XRAPI_CALL applyHaptic(XrSession /*session*/, const XrHaptic
                                            const XrHapticBaseHeader* feedback) {
   RuntimeState& state = runtimeState();
   const Lock lock(state.mutex);
-  if (const XrResult result = sessionResult(state); result != XR_SUCCESS) return result;
+  if (const XrResult result = callResult(state); result != XR_SUCCESS) return result;
   const auto* vibration = reinterpret_cast<const XrHapticVibration*>(feedback);
   if (vibration->type != XR_TYPE_HAPTIC_VIBRATION) return XR_ERROR_VALIDATION_FAILURE;
   const std::size_t hand = textOf(state, info->subactionPath) == kHands[0] ? 0 : 1;

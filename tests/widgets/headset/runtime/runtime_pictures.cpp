@@ -82,7 +82,7 @@ XRAPI_ATTR XrResult XRAPI_CALL acquireImage(XrSwapchain swapchain, const XrSwapc
                                             std::uint32_t* index) {
   RuntimeState& state = runtimeState();
   const Lock lock(state.mutex);
-  if (const XrResult result = sessionResult(state); result != XR_SUCCESS) return result;
+  if (const XrResult result = callResult(state); result != XR_SUCCESS) return result;
   expectContext(state, "xrAcquireSwapchainImage");
   FakeSwapchain& chain = swapchainOf(state, swapchain);
   if (chain.acquired) return XR_ERROR_CALL_ORDER_INVALID;
@@ -95,13 +95,13 @@ XRAPI_ATTR XrResult XRAPI_CALL acquireImage(XrSwapchain swapchain, const XrSwapc
 XRAPI_ATTR XrResult XRAPI_CALL waitImage(XrSwapchain /*swapchain*/, const XrSwapchainImageWaitInfo* /*info*/) {
   RuntimeState& state = runtimeState();
   const Lock lock(state.mutex);
-  return sessionResult(state);
+  return callResult(state);
 }
 
 XRAPI_ATTR XrResult XRAPI_CALL releaseImage(XrSwapchain swapchain, const XrSwapchainImageReleaseInfo* /*info*/) {
   RuntimeState& state = runtimeState();
   const Lock lock(state.mutex);
-  if (const XrResult result = sessionResult(state); result != XR_SUCCESS) return result;
+  if (const XrResult result = callResult(state); result != XR_SUCCESS) return result;
   expectContext(state, "xrReleaseSwapchainImage");
   FakeSwapchain& chain = swapchainOf(state, swapchain);
   if (!chain.acquired) return XR_ERROR_CALL_ORDER_INVALID;
@@ -127,7 +127,7 @@ EyePicture read(const FakeSwapchain& chain) {
 XRAPI_ATTR XrResult XRAPI_CALL endFrame(XrSession /*session*/, const XrFrameEndInfo* info) {
   RuntimeState& state = runtimeState();
   const Lock lock(state.mutex);
-  if (const XrResult result = sessionResult(state); result != XR_SUCCESS) return result;
+  if (const XrResult result = callResult(state); result != XR_SUCCESS) return result;
   expectContext(state, "xrEndFrame");
   if (!state.inFrame) return XR_ERROR_CALL_ORDER_INVALID;
   state.inFrame = false;

@@ -115,7 +115,7 @@ XRAPI_ATTR XrResult XRAPI_CALL waitFrame(XrSession /*session*/, const XrFrameWai
   lock.unlock();
   std::this_thread::sleep_until(until);
   lock.lock();
-  if (const XrResult result = sessionResult(state); result != XR_SUCCESS) return result;
+  if (const XrResult result = callResult(state); result != XR_SUCCESS) return result;
   if (!state.begun) return XR_ERROR_SESSION_NOT_RUNNING;
   state.waited = true;
   state.displayTime += state.pictureInterval;
@@ -128,7 +128,7 @@ XRAPI_ATTR XrResult XRAPI_CALL waitFrame(XrSession /*session*/, const XrFrameWai
 XRAPI_ATTR XrResult XRAPI_CALL beginFrame(XrSession /*session*/, const XrFrameBeginInfo* /*info*/) {
   RuntimeState& state = runtimeState();
   const Lock lock(state.mutex);
-  if (const XrResult result = sessionResult(state); result != XR_SUCCESS) return result;
+  if (const XrResult result = callResult(state); result != XR_SUCCESS) return result;
   if (!state.waited) return XR_ERROR_CALL_ORDER_INVALID;
   state.waited = false;
   state.inFrame = true;
@@ -140,7 +140,7 @@ XRAPI_ATTR XrResult XRAPI_CALL locateViews(XrSession /*session*/, const XrViewLo
                                            XrView* views) {
   RuntimeState& state = runtimeState();
   const Lock lock(state.mutex);
-  if (const XrResult result = sessionResult(state); result != XR_SUCCESS) return result;
+  if (const XrResult result = callResult(state); result != XR_SUCCESS) return result;
   viewState->viewStateFlags = XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT |
                               XR_VIEW_STATE_ORIENTATION_TRACKED_BIT | XR_VIEW_STATE_POSITION_TRACKED_BIT;
   *count = 2;

@@ -10,6 +10,7 @@
 #include <deque>
 #include <map>
 #include <mutex>
+#include <random>
 
 #include "tests/widgets/headset/runtime/headset_script.h"
 
@@ -66,6 +67,8 @@ struct RuntimeState {
   std::chrono::nanoseconds displayTime{1};  ///< time of the last picture that was wanted, on a separate clock
   bool sessionLost = false;
   bool runtimeLost = false;
+  int refusals = 0;           ///< number of calls that are still to be refused
+  std::minstd_rand refusing;  ///< chooses them
 
   // The following are objects and states of the program.
   std::uint64_t nextHandle = 1;
@@ -107,6 +110,8 @@ void complainOf(RuntimeState& state, const std::string& what);
 /// XR_SUCCESS, or the present failure of calls. Precondition: the caller holds the mutex.
 XrResult instanceResult(const RuntimeState& state);
 XrResult sessionResult(const RuntimeState& state);
+/// The same for a call of pictures or controllers, which may be refused although nothing is lost.
+XrResult callResult(RuntimeState& state);
 
 template <class Handle>
 Handle newHandle(RuntimeState& state) {
