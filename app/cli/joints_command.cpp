@@ -112,8 +112,8 @@ void printCounts(const Joints& joints, const AssembledProduct& product, const Co
   const auto holes = screwHoles(joints);
   const auto doubtful = std::count_if(joints.begin(), joints.end(), [](const Joint& one) { return one.isDoubtful; });
   if (holes > 0) {
-    console.print(
-        {GLISSADE_TEXT("screws in bodies without a hole in the file, each of which makes its own: %1"), {holes}});
+    console.print({GLISSADE_TEXT("screws in bodies without a tapped hole in the file, each of which makes its own: %1"),
+                   {holes}});
   }
   if (doubtful > 0) {
     console.print(

@@ -14,6 +14,7 @@
 #include "engine/base/stop_token.h"
 #include "engine/collision/thread_rule.h"
 #include "engine/files/path_exporter.h"
+#include "engine/files/pulled_threads.h"
 #include "engine/files/run_record.h"
 #include "engine/files/scenario.h"
 #include "engine/files/scenario_io.h"
@@ -325,9 +326,12 @@ int deliver(const PlanOptions& options, const LoadedScenario& scenario, const Se
     if (options.difficulty) difficulty = difficultyOf(scenario, end, stop);
     blockedBy = blockingBodies(scenario, end, stop);
   }
+  std::vector<Message> pulled;
+  if (end.path) pulled = pulledThreadsOf(scenario, end.path->points, stop);
   if (options.console.json) {
     Json report = toJson(end, world, options.edges);
     if (end.path) addUncertainties(scenario, end.path->points, report["certificate"]);
+    for (const Message& line : pulled) report["pulled_threads"].push_back(toString(line));
     if (foundNone(end)) report["blocked_by"] = idsOf(blockedBy);
     if (difficulty) report["difficulty"] = toJson(*difficulty, world);
     printJson(report);
@@ -335,6 +339,7 @@ int deliver(const PlanOptions& options, const LoadedScenario& scenario, const Se
     printText(end, world, options.console);
     if (end.path) {
       for (const Message& line : uncertaintiesInWords(scenario, end.path->points)) options.console.print(line);
+      for (const Message& line : pulled) options.console.print(line);
     }
     if (end.path && options.edges) printEdges(end.path->certificate, world, options.console);
     printBlocking(blockedBy, options.console);

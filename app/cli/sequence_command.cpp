@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "app/cli/interrupt.h"
@@ -279,7 +280,7 @@ class PlanPrinter {
 
  private:
   void printSteps(const std::vector<AssemblyStep>& steps, const std::string& group, const std::string& before) const;
-  void printNotes(const AssemblyStep& step, const std::string& before) const;
+  void printNotes(const AssemblyStep& step, const std::set<std::string>& left, const std::string& before) const;
   void printStuck(const std::vector<StuckBody>& all, const std::string& before) const;
   void printLines(const std::vector<SubassemblyLine>& lines, std::size_t steps, const std::string& group,
                   const std::string& before) const;
@@ -316,6 +317,7 @@ Message PlanPrinter::motionOf(const AssemblyStep& step) const {
 /// the group of these steps.
 void PlanPrinter::printSteps(const std::vector<AssemblyStep>& steps, const std::string& group,
                              const std::string& before) const {
+  std::set<std::string> left;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const AssemblyStep& step = steps[i];
     std::string names = toRight(stepNumber(steps.size() - 1 - i, group), 4) + "  " + host_.namesOf(step);
@@ -323,12 +325,15 @@ void PlanPrinter::printSteps(const std::vector<AssemblyStep>& steps, const std::
       names += " (" + console_.text(CatalogueText{kFastenerNames.of(step.fastener)}) + ")";
     }
     printIndented(before, {GLISSADE_TEXT("%1: %2"), {names, motionOf(step)}});
-    printNotes(step, before + "      ");
+    printNotes(step, left, before + "      ");
+    for (const std::string& id : step.bodies()) left.insert(id);
   }
 }
 
-/// Prints what is to be said of a step beside its motion.
-void PlanPrinter::printNotes(const AssemblyStep& step, const std::string& before) const {
+/// Prints what is to be said of a step beside its motion. Allowances against bodies that have left count in other
+/// orders only; the plan file has them.
+void PlanPrinter::printNotes(const AssemblyStep& step, const std::set<std::string>& left,
+                             const std::string& before) const {
   const AssembledProduct& product = host_.product();
   for (const std::string& text : words_.joints(step, product, PlanOrder::Removal)) std::cout << before << text << "\n";
   if (step.tool.kind != ToolKind::None) {
@@ -341,6 +346,7 @@ void PlanPrinter::printNotes(const AssemblyStep& step, const std::string& before
     printIndented(before, {GLISSADE_TEXT("support: %1"), {host_.nameOf(id)}});
   }
   for (const Allowance& allowance : step.allowances) {
+    if (left.count(allowance.body) != 0) continue;
     printIndented(before, {GLISSADE_TEXT("allowance: %1"), {allowance.text}});
   }
 }
@@ -409,7 +415,8 @@ void PlanPrinter::print(const AssemblyPlan& plan, double seconds) const {
   console_.print({GLISSADE_TEXT("%1, computed in %2 s"), {stepsInWords(plan), rounded(seconds)}});
   if (const std::size_t holes = screwHoles(plan.steps, plan.lines); holes > 0) {
     console_.print(
-        {GLISSADE_TEXT("screws in bodies without a hole in the file, each of which makes its own: %1"), {holes}});
+        {GLISSADE_TEXT("screws in bodies without a tapped hole in the file, each of which makes its own: %1"),
+         {holes}});
   }
 }
 

@@ -183,8 +183,9 @@ struct MotionCheck::Group {
         distances::addTriangles(*swept, sweptBy(placed, way));
         swept->endModel();
       }
-      const double distance =
-          sweptDistance(*obstacles[i], *swept, placed, way, std::min(enough, least.distance), error);
+      // A little more than is wanted, so that rounding puts no farther obstacle before the nearest one.
+      const double reach = (std::min(enough, least.distance) + error) * (1.0 + 4.0 * distances::kRelativeError);
+      const double distance = sweptDistance(*obstacles[i], *swept, placed, way, reach, error);
       if (distance < least.distance) least = {distance, numbers[i]};
     }
     return least;

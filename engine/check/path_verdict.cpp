@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/base/tolerances.h"
+#include "engine/evidence/pulled_thread.h"
 #include "engine/geometry/se3_metric.h"
 
 namespace glissade::check {
@@ -91,6 +92,29 @@ void checkNames(const Question& question, const std::vector<StatedAllowance>& st
   }
 }
 
+/// Notes threads that the path pulls the object off. It is valid all the same: the path of one object need not be one
+/// of its assembly.
+void notePull(const PairQuestion& asked, const PairFit& fit, const FitWords& words, PlacedBodies& placed,
+              PathVerdict& verdict, const StopToken& stop) {
+  if (fit.thread || !fit.isThinned() || !words.partingOf(asked.moving.id, asked.other.id).empty()) return;
+  double overlap = 0.0;
+  for (const AppliedAllowance& each : fit.applied) overlap = std::max(overlap, each.evidence.overlap);
+  const bool isCalled =
+      asked.stated && std::any_of(asked.stated->begin(), asked.stated->end(), [&](const StatedAllowance& each) {
+        return each.isThread && each.isAbout(asked.moving.id, asked.other.id, asked.first);
+      });
+  const Placement moving{asked.moving, asked.assembled.front()};
+  const Placement other{asked.other, asked.other.X_WB};
+  const std::vector<CommonThread> threads =
+      commonThreads({placed.at(moving), placed.at(other), overlap, isCalled, fit.inSolid ? &*fit.inSolid : nullptr,
+                     screwSizeIn(asked.moving.name), screwSizeIn(asked.other.name)},
+                    stop);
+  const Message pulled = pulledThread(threads, asked.path);
+  if (pulled.empty()) return;
+  verdict.pulls.push_back({GLISSADE_TEXT("not for assembly: '%1' is pulled off '%2' without being unscrewed: %3"),
+                           {asked.moving.name, asked.other.name, pulled}});
+}
+
 }  // namespace
 
 double deflectionOf(const Body& body) {
@@ -150,6 +174,7 @@ PathVerdict judgePath(const Question& question, const Path& path, const WorkWatc
       const PairQuestion asked{bodies.back(), bodies[i], ends, path.allowances, bodies.back().id, configurations};
       const bool marked = question.product.fits.about(bodies.back().id, bodies[i].id) != nullptr;
       if (stated || near || marked) pair.fit = fitOf(asked, question.product.fits, placed, watch.stop);
+      notePull(asked, pair.fit, question.product.fits, placed, verdict, watch.stop);
     }
     verdict.allowances.insert(verdict.allowances.end(), pair.fit.applied.begin(), pair.fit.applied.end());
     verdict.refusals.insert(verdict.refusals.end(), pair.fit.refusals.begin(), pair.fit.refusals.end());

@@ -27,6 +27,7 @@ struct PathVerdict {
   double forbiddenMargin = 0.0;              ///< metres; 0: no place is forbidden
   std::vector<AppliedAllowance> allowances{};
   std::vector<Message> refusals{};  ///< refused allowances and threads, for people
+  std::vector<Message> pulls{};     ///< threads that the path pulls the object off without a turn, for people
   double deviation = 0.0;           ///< metres by which surfaces may be nearer than their triangles
   double spacing = 0.0;             ///< deviation of the coordinates of two bodies from their files together, metres
 

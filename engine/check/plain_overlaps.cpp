@@ -1,7 +1,6 @@
 #include "engine/check/plain_overlaps.h"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 namespace glissade::check {
@@ -14,11 +13,14 @@ void addPlainOverlaps(const std::vector<AppliedAllowance>& allowances, std::vect
   for (const AppliedAllowance& each : allowances) {
     if (each.plainOverlap <= 0.0) continue;
     const std::pair<std::string, std::string> pair = std::minmax(each.thinner, each.against);
-    const bool known = std::any_of(overlaps.begin(), overlaps.end(), [&](const PlainOverlap& overlap) {
-      return std::tie(overlap.one, overlap.other, overlap.depth) ==
-             std::tie(pair.first, pair.second, each.plainOverlap);
+    const auto known = std::find_if(overlaps.begin(), overlaps.end(), [&](const PlainOverlap& overlap) {
+      return overlap.one == pair.first && overlap.other == pair.second;
     });
-    if (!known) overlaps.push_back({pair.first, pair.second, each.plainOverlap});
+    if (known == overlaps.end()) {
+      overlaps.push_back({pair.first, pair.second, each.plainOverlap});
+    } else {
+      known->depth = std::max(known->depth, each.plainOverlap);
+    }
   }
 }
 
@@ -28,7 +30,9 @@ Message inWords(const std::vector<PlainOverlap>& overlaps) {
   for (const PlainOverlap& each : overlaps) {
     pairs.push_back({GLISSADE_TEXT("'%1' and '%2' by %3"), {each.one, each.other, Depth{each.depth}}});
   }
-  return {GLISSADE_TEXT("%1: %2"), {plainOverlapsInWords(overlaps.size()), joined(pairs, ", ")}};
+  return {GLISSADE_TEXT("%1 {1|pair|pairs} with allowances {1|overlaps|overlap} without being a fit, a thread or a "
+                        "press: %2"),
+          {overlaps.size(), joined(pairs, ", ")}};
 }
 
 }  // namespace glissade::check

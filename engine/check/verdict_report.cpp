@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "engine/base/enum_names.h"
 #include "engine/base/number_text.h"
@@ -227,6 +228,7 @@ std::string reportText(const PathVerdict& verdict, const Question& question, boo
     lines.push_back({GLISSADE_TEXT("allowance: %1"), {inWords(each)}});
   }
   for (const Message& refusal : verdict.refusals) lines.push_back({GLISSADE_TEXT("refused: %1"), {refusal}});
+  lines.insert(lines.end(), verdict.pulls.begin(), verdict.pulls.end());
   std::vector<PlainOverlap> overlaps;
   addPlainOverlaps(verdict.allowances, overlaps);
   if (!overlaps.empty()) lines.push_back(inWords(overlaps));
@@ -281,6 +283,7 @@ Report reportJson(const PathVerdict& verdict, const Question& question, bool edg
     report["forbidden"] = {{"edge", verdict.forbidden->edge}, {"place", verdict.forbidden->place}};
   }
   report["refusals"] = textsOf(verdict.refusals);
+  if (!verdict.pulls.empty()) report["pulled_threads"] = textsOf(verdict.pulls);
   report["missing_shapes"] = missingShapesJson(product.missing);
   report["certificate"] = std::move(certificate);
   return report;
@@ -322,11 +325,19 @@ Message whyInvalid(const StepVerdict& step, const Product& product) {
 
 namespace {
 
-/// `number`: see stepNumber().
-void addStep(const StepVerdict& step, const std::string& number, bool isTrusted, const Product& product,
-             std::vector<Message>& lines) {
+/// How the steps of a plan or of a line are reported.
+struct StepsReport {
+  const Product& product;
+  bool isTrusted = false;
+  std::set<std::string> left{};  ///< ids of the bodies of earlier steps
+};
+
+/// `number`: see stepNumber(). Allowances against bodies that have left count in other orders only.
+void addStep(const StepVerdict& step, const std::string& number, StepsReport& report, std::vector<Message>& lines) {
+  const auto& [product, isTrusted, left] = report;
   const std::string body = step.bodies.empty() ? "" : shownName(step.bodies.front(), product);
   for (const AppliedAllowance& each : step.allowances) {
+    if (left.count(each.other) != 0) continue;
     lines.push_back({GLISSADE_TEXT("step %1: allowance: %2"), {number, inWords(each)}});
   }
   for (const auto* notes : {&step.pulls, &step.notes}) {
@@ -397,15 +408,18 @@ std::size_t screwHoles(const PlanVerdict& verdict) {
   return holes;
 }
 
-void addSteps(const PlanVerdict& verdict, const Product& product, std::vector<Message>& lines) {
-  const bool isTrusted = verdict.planIsTrusted;
-  for (std::size_t i = 0; i < verdict.steps.size(); ++i) {
-    addStep(verdict.steps[i], stepNumber(i, verdict.steps.size()), isTrusted, product, lines);
+void addSteps(const std::vector<StepVerdict>& steps, const std::string& group, StepsReport report,
+              std::vector<Message>& lines) {
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    addStep(steps[i], stepNumber(i, steps.size(), group), report, lines);
+    report.left.insert(steps[i].bodies.begin(), steps[i].bodies.end());
   }
+}
+
+void addSteps(const PlanVerdict& verdict, const Product& product, std::vector<Message>& lines) {
+  addSteps(verdict.steps, "", {product, verdict.planIsTrusted}, lines);
   for (const LineVerdict& line : verdict.lines) {
-    for (std::size_t i = 0; i < line.steps.size(); ++i) {
-      addStep(line.steps[i], stepNumber(i, line.steps.size(), line.group), isTrusted, product, lines);
-    }
+    addSteps(line.steps, line.group, {product, verdict.planIsTrusted}, lines);
     for (const Message& refusal : line.refusals) {
       lines.push_back({GLISSADE_TEXT("refused: the line of step %1: %2"), {line.group, refusal}});
     }
@@ -427,7 +441,8 @@ std::string reportText(const PlanVerdict& verdict, const Product& product, const
   if (!product.missing.empty()) lines.push_back(statementOf(product.missing));
   if (const std::size_t holes = screwHoles(verdict); holes > 0) {
     lines.push_back(
-        {GLISSADE_TEXT("screws in bodies without a hole in the file, each of which makes its own: %1"), {holes}});
+        {GLISSADE_TEXT("screws in bodies without a tapped hole in the file, each of which makes its own: %1"),
+         {holes}});
   }
   if (const auto overlaps = plainOverlapsOf(verdict); !overlaps.empty()) lines.push_back(inWords(overlaps));
   if (verdict.deviation > 0.0) {

@@ -32,7 +32,7 @@ Message inWords(const Evidence& evidence) {
 
 Message inWords(const AppliedAllowance& allowance) {
   if (allowance.screwHole) {
-    return {GLISSADE_TEXT("'%1' without what its screw '%2' fills: the file has no hole there"),
+    return {GLISSADE_TEXT("'%1' without what its screw '%2' fills: the file has no tapped hole there"),
             {allowance.thinner, allowance.against}};
   }
   if (allowance.hollow) {

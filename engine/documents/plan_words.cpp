@@ -249,8 +249,8 @@ std::vector<std::string> PlanWords::allowances(const AssemblyStep& step, const A
     if (allowance.hollow && allowance.kind == ContactKind::Thread) {
       texts.push_back(
           allowance.yields
-              ? words_(GLISSADE_TEXT("%1 without what its screw fills (no hole in the file)"), {other.shown()})
-              : words_(GLISSADE_TEXT("without what its screw %1 fills (no hole in the file)"), {other.shown()}));
+              ? words_(GLISSADE_TEXT("%1 without what its screw fills (no tapped hole in the file)"), {other.shown()})
+              : words_(GLISSADE_TEXT("without what its screw %1 fills (no tapped hole in the file)"), {other.shown()}));
       continue;
     }
     if (allowance.hollow) {

@@ -21,15 +21,6 @@ constexpr double kLeastPitch = 0.04;
 /// Length of the mean of the crests' phases, as unit vectors, from which a pitch suits them.
 constexpr double kLeastLength = 0.6;
 
-/// The widest gap between angles, radians; a whole turn where there are none.
-double widestGap(std::vector<double> angles) {
-  if (angles.empty()) return kWholeTurn;
-  std::sort(angles.begin(), angles.end());
-  double widest = angles.front() + kWholeTurn - angles.back();
-  for (std::size_t i = 1; i < angles.size(); ++i) widest = std::max(widest, angles[i] - angles[i - 1]);
-  return widest;
-}
-
 double phaseOf(const Around& crest, const CrestHelix& helix) {
   return helix.starts * crest.angle - kWholeTurn * crest.height / helix.pitch();
 }
@@ -129,6 +120,14 @@ std::optional<CrestHelix> helixWith(int starts, const std::vector<Around>& crest
 }
 
 }  // namespace
+
+double widestGap(std::vector<double> angles) {
+  if (angles.empty()) return kWholeTurn;
+  std::sort(angles.begin(), angles.end());
+  double widest = angles.front() + kWholeTurn - angles.back();
+  for (std::size_t i = 1; i < angles.size(); ++i) widest = std::max(widest, angles[i] - angles[i - 1]);
+  return widest;
+}
 
 std::vector<Around> aroundOf(const TriangleMesh& mesh, const Vector3& point, const Vector3& axis) {
   const Vector3 u = axis.unitOrthogonal();

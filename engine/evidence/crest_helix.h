@@ -17,6 +17,9 @@ struct Around {
 /// Each vertex about an axis. `axis`: unit.
 std::vector<Around> aroundOf(const TriangleMesh& mesh, const Vector3& point, const Vector3& axis);
 
+/// The widest gap between angles, radians; a whole turn where there are none.
+double widestGap(std::vector<double> angles);
+
 /// The vertices leave no gap about the axis that is wider than a little more than a quarter of a turn.
 bool areAround(const std::vector<Around>& vertices);
 

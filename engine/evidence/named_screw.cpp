@@ -4,8 +4,14 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <regex>
 #include <sstream>
+#include <vector>
+
+#include "engine/evidence/crest_helix.h"
+#include "engine/evidence/pulled_thread.h"
+#include "engine/evidence/turn.h"
 
 namespace glissade::evidence {
 namespace {
@@ -17,6 +23,10 @@ constexpr double kThickest = 1.06;
 constexpr double kHoleReach = 2.0;
 /// Relative excess by which a point of the shaft may be outside of its cylinder.
 constexpr double kBeyond = 2e-3;
+/// Distance of the axes of a shaft and of the walls between ribs, in radii of the shaft.
+constexpr double kSameAxisShare = 0.1;
+/// Largest angle about the axis without a wall, radians: a shaft leaves a slot of half a turn sideways.
+constexpr double kWidestSlot = 0.95 * std::numbers::pi;
 constexpr double kOnScrew = 1e-8;  ///< metres: nearer points are on the surface
 constexpr std::size_t kLongestName = 200;
 constexpr double kMillimetre = 1e-3;
@@ -37,6 +47,11 @@ bool hasWord(const std::string& name, const char* words) {
 }
 
 bool isScrewName(const std::string& name) { return hasWord(name, "screw|bolt|schraube|vis |shcs|bhcs|fhcs"); }
+
+/// True if the last word is one for a screw: "black screw (2)", and not "screw cap".
+bool endsWithScrew(const std::string& name) {
+  return hasWord(name, "(screw|bolt|schraube|(^|[^A-Za-z])vis)[^A-Za-z]*$");
+}
 
 /// True for names of other parts that have sizes of threads.
 bool isNoScrewName(const std::string& name) {
@@ -71,38 +86,69 @@ std::optional<double> unified(const std::string& name) {
   return kInch * numberIn(match[2]) / std::max(1.0, numberIn(match[3]));
 }
 
-/// True if the host has a hole about the axis at the shaft.
-bool hasHole(const PlacedBody& host, const RoundFace& shaft) {
-  return std::any_of(host.rounds.begin(), host.rounds.end(), [&](const RoundFace& hole) {
-    if (hole.isShaft || hole.radius > kHoleReach * shaft.radius) return false;
+/// The round walls of the host about a shaft: none, only those between the ribs of a slot, which are as wide as the
+/// shaft or wider, or those of a hole for the shaft or beside its axis.
+enum class WallsAbout { None, OfSlot, OfHole };
+
+WallsAbout wallsAbout(const RoundFace& shaft, const PlacedBody& host) {
+  WallsAbout walls = WallsAbout::None;
+  for (const RoundFace& hole : host.rounds) {
+    if (hole.isShaft || hole.radius > kHoleReach * shaft.radius) continue;
     const double from = (hole.point - shaft.point).dot(shaft.axis);
     const double beside = (hole.point - shaft.point - from * shaft.axis).norm();
     const double half = 0.5 * (hole.high - hole.low);
     const double middle = from + 0.5 * (hole.low + hole.high) * hole.axis.dot(shaft.axis);
-    return beside < shaft.radius && middle + half > shaft.low && middle - half < shaft.high;
+    const bool isAbout = beside < hole.radius || beside + hole.radius <= shaft.radius;
+    const bool isBetweenRibs = beside < kSameAxisShare * shaft.radius && hole.radius >= shaft.radius;
+    if (!isAbout || middle + half <= shaft.low || middle - half >= shaft.high) continue;
+    walls = std::max(walls, isBetweenRibs ? WallsAbout::OfSlot : WallsAbout::OfHole);
+  }
+  return walls;
+}
+
+/// The screw's part in the host.
+struct PartOfScrew {
+  double low = std::numeric_limits<double>::infinity();  ///< range along the axis
+  double high = -low;
+  std::vector<double> angles{};  ///< angles about the axis at which the host is, radians
+
+  /// True if the host is around the screw, so that the screw does not leave sideways.
+  bool isHeld() const { return widestGap(angles) < kWidestSlot; }
+};
+
+/// True if the host is no deeper in the shaft than the deepest thread.
+bool isShallow(const PlacedBody& host, const RoundFace& shaft, const PartOfScrew& part) {
+  return std::all_of(host.tree.triangles().begin(), host.tree.triangles().end(), [&](const Triangle& wall) {
+    const TurnedTriangle passed = turned(wall[0], wall[1], wall[2], shaft.point, shaft.axis);
+    return passed.high < part.low || passed.low > part.high ||
+           passed.nearest >= (1.0 - kMostThreadDepth) * shaft.radius;
   });
 }
 
-/// The range along the axis of the screw's part in the host, if that part is within the cylinder.
+/// Finds the screw's part in the host, if that part is within the cylinder.
 class PartInHost {
  public:
   PartInHost(const RoundFace& shaft, const PlacedBody& host) : shaft_(shaft), host_(host) {}
 
-  std::optional<std::pair<double, double>> of(const PlacedBody& screw, const TriangleMesh& hollow) {
+  std::optional<PartOfScrew> of(const PlacedBody& screw, const TriangleMesh& hollow) {
     for (const Vector3& vertex : host_.mesh.vertices) {
       if (isBeyond(vertex) && screw.contains(vertex)) return std::nullopt;
     }
+    PartOfScrew part;
+    const Vector3 u = shaft_.axis.unitOrthogonal();
+    const Vector3 v = shaft_.axis.cross(u);
     for (const auto& [a, b, c] : hollow.triangles) {
       const Triangle piece{hollow.vertices[a], hollow.vertices[b], hollow.vertices[c]};
       if (!isInside((piece[0] + piece[1] + piece[2]) / 3.0)) continue;  // it belongs to the host's surface
       for (const Vector3& p : piece) {
         if (isBeyond(p)) return std::nullopt;
-        const double along = (p - shaft_.point).dot(shaft_.axis);
-        low_ = std::min(low_, along);
-        high_ = std::max(high_, along);
+        const Vector3 from = p - shaft_.point;
+        part.low = std::min(part.low, from.dot(shaft_.axis));
+        part.high = std::max(part.high, from.dot(shaft_.axis));
+        part.angles.push_back(std::atan2(from.dot(v), from.dot(u)));
       }
     }
-    return low_ < high_ ? std::optional(std::pair(low_, high_)) : std::nullopt;
+    return part.low < part.high ? std::optional(std::move(part)) : std::nullopt;
   }
 
  private:
@@ -115,8 +161,6 @@ class PartInHost {
 
   const RoundFace& shaft_;
   const PlacedBody& host_;
-  double low_ = std::numeric_limits<double>::infinity();
-  double high_ = -low_;
 };
 
 }  // namespace
@@ -132,18 +176,22 @@ std::optional<double> screwSizeIn(const std::string& text) {
 
 std::optional<ScrewInSolid> screwInSolid(const Placement& screw, const Placement& host, PlacedBodies& bodies,
                                          const StopToken& stop) {
-  const auto size = screwSizeIn(screw.body.name);
-  if (!size) return std::nullopt;
+  const std::string name = screw.body.name.substr(0, kLongestName);
+  const auto size = screwSizeIn(name);
+  if (!size && (!endsWithScrew(name) || isNoScrewName(name))) return std::nullopt;
   const PlacedBody& guest = bodies.at(screw);
   const PlacedBody& solid = bodies.at(host);
   for (const RoundFace& shaft : guest.rounds) {
-    const double share = 2.0 * shaft.radius / *size;
-    if (!shaft.isShaft || share < kThinnest || share > kThickest || hasHole(solid, shaft)) continue;
+    const double share = size ? 2.0 * shaft.radius / *size : 1.0;
+    if (!shaft.isShaft || share < kThinnest || share > kThickest) continue;
+    const WallsAbout walls = wallsAbout(shaft, solid);
+    if (walls == WallsAbout::OfHole) continue;
     const MeshPtr hollow = bodies.hollowOf(host, screw, stop);
     if (!hollow) return std::nullopt;
     const auto part = PartInHost(shaft, solid).of(guest, transformed(*hollow, host.X_WB));
-    if (!part) continue;
-    return ScrewInSolid{shaft.point, shaft.axis, shaft.radius, part->first, part->second};
+    const bool mayBeDeep = size && walls == WallsAbout::None;
+    if (!part || !part->isHeld() || (!mayBeDeep && !isShallow(solid, shaft, *part))) continue;
+    return ScrewInSolid{shaft.point, shaft.axis, shaft.radius, part->low, part->high};
   }
   return std::nullopt;
 }

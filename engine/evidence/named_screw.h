@@ -11,7 +11,7 @@ namespace glissade::evidence {
 /// 4x30". Nothing if the name is of no screw, or has no size.
 std::optional<double> screwSizeIn(const std::string& name);
 
-/// The shaft of a screw inside a body that is drawn without a hole for it, world frame.
+/// The shaft of a screw inside a body that is drawn without a tapped hole for it, world frame.
 struct ScrewInSolid {
   Vector3 point = Vector3::Zero();  ///< on the axis
   Vector3 axis = Vector3::UnitZ();  ///< unit
@@ -20,8 +20,11 @@ struct ScrewInSolid {
   double high = 0.0;
 };
 
-/// A screw makes its hole if its name states its size, one of its cylinders has that size, only this cylinder and the
-/// part before it are in the host, and the host has no hole about its axis. Nothing if one of these conditions fails.
+/// A screw makes its hole in a solid body if its name states its size and one of its cylinders has that size. It forms
+/// its thread in the ribs of a slot, which is as wide as the screw or wider between them, if its name states the size
+/// or ends with a word for a screw, and the ribs are no deeper in the cylinder than a thread. Only this cylinder and
+/// the part before it are in the host, no gap in the host about the axis is half a turn, and the host has no other hole
+/// there. Nothing if one of these conditions fails.
 std::optional<ScrewInSolid> screwInSolid(const Placement& screw, const Placement& host, PlacedBodies& bodies,
                                          const StopToken& stop);
 

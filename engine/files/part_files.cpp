@@ -18,6 +18,7 @@
 #include "engine/import/part_solids.h"
 #include "engine/import/step_import.h"
 #include "engine/import/step_parts.h"
+#include "engine/import/unread_kind.h"
 
 namespace glissade {
 namespace {
@@ -165,12 +166,13 @@ Outcome checkParts(const std::vector<PartFile>& parts) {
 }
 
 /// Splits "product.step:pump/rotor", a part of a STEP file, or "product.obj:rotor", a group, unless a file has that
-/// name.
+/// name. A file of a kind that is not read is split, too, so that its kind is said.
 std::pair<std::string, std::string> splitPartName(const std::string& text) {
   std::error_code noneThere;
   for (std::size_t at = text.find(':'); at != std::string::npos; at = text.find(':', at + 1)) {
     const std::string file = text.substr(0, at);
-    if ((isCadFile(file) || mayHaveGroups(file)) && !fs::exists(text, noneThere)) return {file, text.substr(at + 1)};
+    const bool mayHaveParts = isCadFile(file) || mayHaveGroups(file) || unreadKind(file);
+    if (mayHaveParts && !fs::exists(text, noneThere)) return {file, text.substr(at + 1)};
   }
   return {text, ""};
 }

@@ -17,6 +17,8 @@ constexpr double kHelixShare = 0.06;
 constexpr double kLeastAround = 0.55;
 /// Least thickness of a surrounding body, in radii of the shaft; a thinner one is in the shaft rather than around it.
 constexpr double kThickerThan = 1.15;
+/// Least radius of the core of a thread, in radii of the shaft: screws for wood have 0.6.
+constexpr double kNarrowestCore = 0.5;
 /// Least length of a contact, in radii of the shaft.
 constexpr double kLeastContact = 0.1;
 
@@ -102,6 +104,7 @@ std::optional<AroundShaft> aroundShaft(const AxialMesh& body, const AxisLine& ax
     const bool isTight = isThreadDepth(radius, radius - hole);
     const bool isEqual = !isTight && hole <= (1.0 + kEqualShare) * radius;
     around.tight += isTight ? slab.length() : 0.0;
+    around.threaded += isTight && hole >= kNarrowestCore * radius ? slab.length() : 0.0;
     around.equal += isEqual ? slab.length() : 0.0;
     if (!isTight && !isEqual) continue;
     around.tightLow = std::min(around.tightLow, slab.low);

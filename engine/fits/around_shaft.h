@@ -14,6 +14,7 @@ struct AroundShaft {
   double high = 0.0;
   double hole = 0.0;       ///< radius of its narrowest hole; 0: the body is solid
   double tight = 0.0;      ///< length in which the hole is narrower by a thread, or the body solid, metres
+  double threaded = 0.0;   ///< length of `tight` in which the hole is no narrower than the core of a thread
   double equal = 0.0;      ///< length in which the hole is as wide as the shaft, or narrower by less than a thread
   double surround = 0.0;   ///< length in which it surrounds the shaft
   double solid = 0.0;      ///< length in which it is solid

@@ -212,7 +212,7 @@ constexpr std::array kWords{WordRow{"heat-set", Insert, DriveKind::None, KeyTabl
                             WordRow{"goupille", Pin, DriveKind::None, KeyTable::None},
                             WordRow{"ball bearing", Bearing, DriveKind::None, KeyTable::None},
                             WordRow{"bearing", Bearing, DriveKind::None, KeyTable::None},
-                            WordRow{"bushing", Insert, DriveKind::None, KeyTable::None},
+                            WordRow{"bushing", Bearing, DriveKind::None, KeyTable::None},
                             WordRow{"O-ring", Seal, DriveKind::None, KeyTable::None},
                             WordRow{"circlip", Ring, DriveKind::None, KeyTable::None},
                             WordRow{"retaining ring", Ring, DriveKind::None, KeyTable::None},

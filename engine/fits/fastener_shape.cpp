@@ -14,6 +14,8 @@ namespace {
 /// Least ratio of the least to the largest radius of a round section; a box of two to one has less.
 constexpr double kLeastRound = 0.42;
 constexpr double kLeastRoundShaft = 0.7;
+/// Share of the directions in which a shaft has a surface.
+constexpr double kShaftAround = 0.8;
 /// Share of the length in which sections have to be round.
 constexpr double kRoundLength = 0.8;
 /// Relative difference within which radii are equal.
@@ -150,12 +152,19 @@ double middleRadius(std::vector<RadiusLength> parts) {
   return 0.0;
 }
 
-/// The slabs that are about as wide as this radius.
+/// True if the section has a surface all around, as a shaft has, except for grooves; false for two tabs side by side.
+bool isAllAround(const AxialSlab& slab) {
+  const auto met =
+      std::count_if(slab.farthest.begin(), slab.farthest.end(), [](double distance) { return distance > 0.0; });
+  return static_cast<double>(met) >= kShaftAround * static_cast<double>(slab.farthest.size());
+}
+
+/// The sections of a shaft that are about as wide as this radius.
 RadiusLength alikeOf(const std::vector<AxialSlab>& slabs, double radius) {
   std::vector<RadiusLength> alike;
   double length = 0.0;
   for (const AxialSlab& slab : slabs) {
-    if (std::abs(slab.outerMost() - radius) > kOneRadius * radius) continue;
+    if (std::abs(slab.outerMost() - radius) > kOneRadius * radius || !isAllAround(slab)) continue;
     alike.push_back({slab.outerMost(), slab.length()});
     length += slab.length();
   }
@@ -242,7 +251,7 @@ std::optional<TurnedShape> screwOf(TurnedShape shape, double shaft) {
   double solidLength = 0.0;
   for (; head != shape.slabs.rend(); ++head) {
     if (head->outerMost() > border) return std::nullopt;
-    if (head->outerMost() > (1.0 - kOneRadius) * shaft) shaftLength += head->length();
+    if (head->outerMost() > (1.0 - kOneRadius) * shaft && isAllAround(*head)) shaftLength += head->length();
     if (head->isSolid) solidLength += head->length();
   }
   const bool isHead = widest >= kLeastHeadRadius * shaft && widest <= kMostHeadRadius * shaft &&

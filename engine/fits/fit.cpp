@@ -42,7 +42,7 @@ Message inWords(const Fit& fit, const std::string& object, const std::string& ob
   const std::string& thinner = fit.yields ? obstacle : object;
   const std::string& other = fit.yields ? object : obstacle;
   if (fit.hollow && fit.kind == ContactKind::Thread) {
-    return {GLISSADE_TEXT("%1 without what its screw %2 fills (no hole in the file)"), {thinner, other}};
+    return {GLISSADE_TEXT("%1 without what its screw %2 fills (no tapped hole in the file)"), {thinner, other}};
   }
   if (fit.hollow) {
     return {GLISSADE_TEXT("%1 without what overlaps %2, up to %3 deep (accepted clash)"),

@@ -27,6 +27,14 @@ const Diagnostic* warningOf(const ObjectFits& object, std::size_t obstacle) {
   return nullptr;
 }
 
+/// A pair through which no motion passes is a clash, unless it is a thread or a press fit.
+void callClash(PairFit& pair) {
+  ContactKind& kind = pair.contact.kind;
+  if (pair.status() != FitStatus::Clash || kind == ContactKind::Thread || kind == ContactKind::Press) return;
+  kind = ContactKind::Clash;
+  pair.contact.isPlainOverlap = false;
+}
+
 /// Reports the finished share of a number of parts of work. Thread-safe.
 class PartCount {
  public:
@@ -116,17 +124,23 @@ void FitTable::addPairs(const AssembledProduct& product) {
                         contact,
                         {wayOf(objects_[contact.a], contact.b), wayOf(objects_[contact.b], contact.a)},
                         givesWayFirst(a, b)});
+      callClash(pairs_.back());
     }
   }
   std::sort(pairs_.begin(), pairs_.end(), [](const PairFit& one, const PairFit& other) {
     return std::tie(one.contact.a, one.contact.b) < std::tie(other.contact.a, other.contact.b);
   });
+  std::vector<PairFit> unwarned;
   for (const PairFit& pair : pairs_) {
     const Diagnostic* ofA = warningOf(objects_[pair.contact.a], pair.contact.b);
     const Diagnostic* ofB = warningOf(objects_[pair.contact.b], pair.contact.a);
-    if (const Diagnostic* warning = ofA != nullptr ? ofA : ofB) warnings_.push_back(*warning);
+    if (const Diagnostic* warning = ofA != nullptr ? ofA : ofB) {
+      warnings_.push_back(*warning);
+    } else {
+      unwarned.push_back(pair);
+    }
   }
-  const Warnings overlaps = warningsOfPlainOverlaps(pairs_);
+  const Warnings overlaps = warningsOfPlainOverlaps(unwarned);
   warnings_.insert(warnings_.end(), overlaps.begin(), overlaps.end());
 }
 

@@ -65,7 +65,7 @@ class FitTable {
   const std::vector<PairFit>& pairs() const { return pairs_; }
   /// The fits of each body with others while it moves.
   const std::vector<ObjectFits>& objects() const { return objects_; }
-  /// Clashes, each once, and plain overlaps.
+  /// Clashes and plain overlaps, each pair once.
   const Warnings& warnings() const { return warnings_; }
   /// Collision bodies for the product's motions, with the thinned bodies.
   const std::shared_ptr<PreparedBodies>& prepared() const { return prepared_; }

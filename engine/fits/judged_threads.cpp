@@ -21,7 +21,8 @@ bool JudgedThreads::mayBePulled(std::size_t body, std::size_t other, const std::
   const evidence::Body obstacle = bodyAt(other);
   if (own.mesh->faces.empty() || obstacle.mesh->faces.empty()) return true;
   if (!words_.partingOf(own.id, obstacle.id).empty()) return true;
-  if (std::none_of(fits.begin(), fits.end(), [](const Fit& fit) { return fit.hollow; })) return false;
+  const auto isCut = [](const Fit& fit) { return fit.hollow && fit.kind != ContactKind::Thread; };
+  if (std::none_of(fits.begin(), fits.end(), isCut)) return false;
   evidence::FitWords strict = words_;
   strict.acceptedClash = 0.0;
   return !placed_.boundsOf({own, own.X_WB}, {obstacle, obstacle.X_WB}, strict, nullptr, {}).refused().empty();
@@ -31,17 +32,22 @@ std::vector<evidence::CommonThread> JudgedThreads::of(std::size_t body, std::siz
                                                       const StopToken& stop) {
   double overlap = 0.0;
   bool isCalledThread = false;
+  bool makesHole = false;
   for (const Fit& fit : fits) {
     if (fit.thread) return {};
+    makesHole = makesHole || (fit.hollow && fit.kind == ContactKind::Thread);
     overlap = std::max(overlap, fit.evidence.overlap);
     isCalledThread = isCalledThread || fit.kind == ContactKind::Thread;
   }
   if ((overlap <= 0.0 && !isCalledThread) || mayBePulled(body, other, fits)) return {};
   const evidence::Body own = bodyAt(body);
   const evidence::Body obstacle = bodyAt(other);
+  std::optional<evidence::ScrewInSolid> screw;
+  if (makesHole) screw = evidence::screwInSolid({own, own.X_WB}, {obstacle, obstacle.X_WB}, placed_, stop);
+  if (makesHole && !screw) screw = evidence::screwInSolid({obstacle, obstacle.X_WB}, {own, own.X_WB}, placed_, stop);
   return evidence::commonThreads(
-      {placed_.at({own, own.X_WB}), placed_.at({obstacle, obstacle.X_WB}), overlap, isCalledThread, nullptr,
-       evidence::screwSizeIn(own.name), evidence::screwSizeIn(obstacle.name)},
+      {placed_.at({own, own.X_WB}), placed_.at({obstacle, obstacle.X_WB}), overlap, isCalledThread,
+       screw ? &*screw : nullptr, evidence::screwSizeIn(own.name), evidence::screwSizeIn(obstacle.name)},
       stop);
 }
 

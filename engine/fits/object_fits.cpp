@@ -108,30 +108,40 @@ class FitFinder {
     return words_.about(object_.id, body(obstacle).id);
   }
 
-  evidence::PairBounds boundsWith(std::size_t obstacle, const evidence::PairWord* word) const {
+  evidence::PairBounds boundsWith(std::size_t obstacle, const evidence::FitWords& words,
+                                  const evidence::PairWord* word) const {
     const evidence::Body own = measuredBody(question_.object);
     const evidence::Body fixed = measuredBody(obstacle);
     std::optional<evidence::PairBounds> bounds;
     for (const Pose& end : ends_) {
-      const evidence::PairBounds found = tools_.placed.boundsOf({own, end}, {fixed, fixed.X_WB}, words_, word, stop_);
+      const evidence::PairBounds found = tools_.placed.boundsOf({own, end}, {fixed, fixed.X_WB}, words, word, stop_);
       bounds = bounds ? united(*bounds, found) : found;
     }
     return *bounds;
   }
 
-  /// An insert by its name is thicker than its hole by as much as a thread, and is pressed or melted in.
+  /// True if the overlap would be a clash if nobody accepted it, whatever kind the surfaces have.
+  bool isAcceptedClash(std::size_t obstacle, double depth) const {
+    if (depth <= 0.0 || !words_.accepts(wordAbout(obstacle), depth)) return false;
+    evidence::FitWords strict = words_;
+    strict.acceptedClash = 0.0;
+    return !boundsWith(obstacle, strict, nullptr).refused().empty();
+  }
+
+  /// An insert or a bearing by its name is thicker than its hole by as much as a thread, and is pressed or melted in.
   bool isPressedInsert(std::size_t obstacle, const Contact& contact) const {
     if (contact.kind != ContactKind::Thread || !contact.axis) return false;
     const std::size_t shaft = contact.axis->shaftIsA ? obstacle : question_.object;
     const auto said = designationIn(question_.product.nameInFile(shaft));
-    return said && said->part == StandardPart::Insert;
+    return said && (said->part == StandardPart::Insert || said->part == StandardPart::Bearing);
   }
 
   void resolve(std::size_t obstacle, const FoundContact& found) {
     const FitEdit* edit = editAbout(obstacle);
-    const evidence::PairBounds bounds = boundsWith(obstacle, wordAbout(obstacle));
-    const Decision decision =
+    const evidence::PairBounds bounds = boundsWith(obstacle, words_, wordAbout(obstacle));
+    Decision decision =
         decide(found.contact, edit, words_.accepts(wordAbout(obstacle), bounds.depth), bounds, question_.limits);
+    if ((edit == nullptr || !edit->kind) && isAcceptedClash(obstacle, bounds.depth)) decision.kind = ContactKind::Clash;
     Contact& contact = fits_.contacts.emplace_back(found.contact);
     contact.kind = edit == nullptr && isPressedInsert(obstacle, found.contact) ? ContactKind::Press : decision.kind;
     const bool hasDepth = decision.kind == ContactKind::Clash || decision.kind == ContactKind::Overlap;
@@ -142,6 +152,7 @@ class FitFinder {
     const bool marked = edit != nullptr && edit->kind == ContactKind::Thread;
     if (marked && found.contact.axis) fit.thread = threadOf(found, edit);
     if (fit.thread) fit.pitch = fit.thread->rule.pitch;
+    if (contact.isPlainOverlap && takeScrewHole(fit, found, bounds.depth)) return;
     if (decision.refused) {
       if (!takeWithoutThread(fit, found) && !takeScrewHole(fit, found, bounds.depth))
         refuseClash(fit, found, bounds.depth);
@@ -302,8 +313,8 @@ class FitFinder {
     return takeHollow(fit, found, cut == evidence::Cut::Other, depth);
   }
 
-  /// Handles a screw, by its name, in a body that is drawn without a hole: the pair is a thread, and the volume of the
-  /// screw is taken away from the body. A person's statement about the pair has priority.
+  /// Handles a screw, by its name, in a body that is drawn without a tapped hole: the pair is a thread, and the volume
+  /// of the screw is taken away from the body. A person's statement about the pair has priority.
   bool takeScrewHole(Fit fit, const FoundContact& found, double depth) {
     if (editAbout(fit.obstacle) != nullptr) return false;
     fit.kind = ContactKind::Thread;
@@ -371,7 +382,7 @@ class FitFinder {
     if (edit != nullptr && edit->pitch) pitch = edit->pitch;
     evidence::PairWord accepted{object_.id, other.id};
     accepted.accepted = true;
-    const evidence::PairBounds bounds = boundsWith(fit.obstacle, &accepted);
+    const evidence::PairBounds bounds = boundsWith(fit.obstacle, words_, &accepted);
     const evidence::Body ownBody = measuredBody(question_.object);
     const evidence::Body otherBody = measuredBody(fit.obstacle);
     const CoreSide own{contactBody(object_, found.measuredAt), tools_.placed.at({ownBody, found.measuredAt}),

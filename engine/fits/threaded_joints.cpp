@@ -76,11 +76,18 @@ class ThreadedJointFinder {
     return isNut(shapes_, said_, body) && isSameAxis(shapes_.axisOf(body), axis, kSameAxisShare * radius);
   }
 
-  /// True for another screw in the same place, which is a variant of it.
+  /// True for another screw in the same place with its head at the same end, which is a variant of it.
   bool isTwin(std::size_t body, const AxisLine& axis, double radius) const {
     const TurnedShape* shape = shapes_.turned(body);
-    return shape != nullptr && shape->kind == TurnedKind::Screw &&
-           isSameAxis(shapes_.axisOf(body), axis, kSameAxisShare * radius);
+    if (shape == nullptr || shape->kind != TurnedKind::Screw) return false;
+    const AxisLine other = shapes_.axisOf(body);
+    return isSameAxis(other, axis, kSameAxisShare * radius) && other.direction.dot(axis.direction) > 0.0;
+  }
+
+  /// takeNuts() has examined nuts. Bearings, washers and rings have no thread, however wide their holes are.
+  bool mayHaveThread(std::size_t body) const {
+    return !isNut(shapes_, said_, body) &&
+           !says(said_, body, {StandardPart::Bearing, StandardPart::Washer, StandardPart::Ring, StandardPart::Seal});
   }
 
   std::vector<AroundShaft> allAround(std::size_t screw, const TurnedShape& shape) const {
@@ -106,12 +113,14 @@ class ThreadedJointFinder {
     return stack;
   }
 
-  /// Holes that are narrower by a thread. A body without a hole says nothing of a shaft that is no screw.
+  /// Holes that are narrower by a thread. A body without a hole, or with a far narrower one, says nothing of a shaft
+  /// that is no screw.
   void takeTight(const std::vector<AroundShaft>& all, std::size_t body, const TurnedShape& shape,
                  ScrewStack& stack) const {
     if (hasTeeth(shape) && !isScrew(body)) return;
     for (const AroundShaft& around : all) {
-      if (around.tight < kLeastEngaged * shape.shaft || (around.hasNoHole() && !isScrew(body))) continue;
+      const double tight = isScrew(body) ? around.tight : around.threaded;
+      if (tight < kLeastEngaged * shape.shaft) continue;
       if (isTilted(around.body, shapes_.axisOf(body), shape)) continue;
       if (isNutOn(around.body, shapes_.axisOf(body), shape.shaft)) {
         stack.doubt = nutOnShaft(shapes_, said_, {around.body, body, shape.shaft, isScrew(body)}).doubt;
@@ -150,7 +159,7 @@ class ThreadedJointFinder {
   /// Takes the hole farthest from the head, among holes that are drawn as wide as the shaft or wider.
   void takeDeepestHole(std::vector<AroundShaft> all, std::size_t body, const TurnedShape& shape,
                        ScrewStack& stack) const {
-    std::erase_if(all, [&](const AroundShaft& each) { return isNut(shapes_, said_, each.body); });
+    std::erase_if(all, [&](const AroundShaft& each) { return !mayHaveThread(each.body); });
     if (all.empty()) return;
     const std::string name = shapes_.product().nameInFile(body);
     if (says(said_, body, {StandardPart::Pin}) || isShaftName(name)) {

@@ -25,6 +25,8 @@
 #include "engine/import/import_refusal.h"
 #include "engine/import/shape_overlaps.h"
 #include "engine/import/step_assembly.h"
+#include "engine/import/step_edited_text.h"
+#include "engine/import/step_entities.h"
 #include "engine/import/step_fineness.h"
 #include "engine/import/step_healing_notes.h"
 #include "engine/import/step_shape_notes.h"
@@ -262,11 +264,25 @@ StepNote noteOf(const ForeignNames& names) {
       {GLISSADE_TEXT("are in an encoding that cannot be told, and are read as %1: '%2'"), {names.encoding, example}}};
 }
 
+/// OpenCASCADE crashes on an oriented shell that names no shell.
+void refuseNamelessShells(const StepEntities& entities) {
+  for (const StepEntities::Entity& entity : entities.all()) {
+    const std::string_view type = entities.typeOf(entity);
+    if (type != "ORIENTED_CLOSED_SHELL" && type != "ORIENTED_OPEN_SHELL") continue;
+    const std::vector<StepRecord> records = entities.recordsOf(entity);
+    const auto values = stepValues(records.front().arguments);
+    if (values.size() == 4 && stepReference(values[2]) != 0) continue;
+    throw ImportRefusal{
+        {GLISSADE_TEXT("%1: %2"), {stepName(entity.id), Message(GLISSADE_TEXT("it is oriented and names no shell"))}}};
+  }
+}
+
 StepAssembly readStepParts(std::vector<char>& content, bool solidNames, const ForeignText& foreign) {
   const auto names = foreign.makeUtf8(content);
   const std::string_view text(content.data(), content.size());
   if (const auto fault = faultOfStepText(text)) throw ImportRefusal{*fault};
   const StepEntities entities(text);
+  refuseNamelessShells(entities);
   const StatedShapes stated = statedShapesOf(entities);
   StepStandIns standIns = standInsFor(entities, stated);
   std::string edited = std::move(standIns.text);

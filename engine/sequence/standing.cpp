@@ -17,7 +17,8 @@ constexpr double kTouching = 2e-5;
 
 bool isBonded(const Contact& contact, const std::vector<FastenerKind>& fasteners) {
   if (contact.kind == ContactKind::Thread || contact.kind == ContactKind::Press) return true;
-  if (contact.kind == ContactKind::Overlap || contact.kind == ContactKind::Clash) return true;
+  const bool overlaps = contact.kind == ContactKind::Overlap || contact.kind == ContactKind::Clash;
+  if (overlaps && contact.overlap > 0.0) return true;
   if (!contact.axis || contact.axis->conical) return false;
   return fasteners[contact.axis->shaftIsA ? contact.b : contact.a] == FastenerKind::Nut;
 }

@@ -1,6 +1,7 @@
 #include "engine/sequence/stuck_reasons.h"
 
 #include <algorithm>
+#include <variant>
 
 #include "engine/geometry/separate_solids.h"
 
@@ -45,6 +46,8 @@ Message StuckReasons::withoutAdvice(std::size_t body, const std::vector<std::siz
     return {GLISSADE_TEXT("a constraint states that '%1' is removed before"), {name(holding.front())}};
   for (const std::size_t other : blocking) {
     if (question_.staying[other] || !holdEachOther(body, other)) continue;
+    if (Message alone = ofOneAlone(unit, blocking); !alone.empty()) return alone;
+    if (Message stuck = ofStuckBlocker(unit); !stuck.empty()) return stuck;
     return {GLISSADE_TEXT("it and '%1' hold each other: no motion was found for either alone, nor for both as one; "
                           "motions of several bodies at the same time are not searched"),
             {name(other)}};
@@ -58,7 +61,41 @@ Message StuckReasons::withoutAdvice(std::size_t body, const std::vector<std::siz
   }
   if (Message turns = ofTurns(unit); !turns.empty()) return turns;
   if (Message cuts = ofCuts(unit, blocking); !cuts.empty()) return cuts;
+  if (Message alone = ofOneAlone(unit, blocking); !alone.empty()) return alone;
+  if (Message stuck = ofStuckBlocker(unit); !stuck.empty()) return stuck;
   return GLISSADE_TEXT("no motion was found, alone or with others");
+}
+
+/// Names a present body that blocks a straight motion of the unit, and that joints or a clash hold; empty if there is
+/// none.
+Message StuckReasons::ofStuckBlocker(const BodyGroup& unit) const {
+  for (const std::size_t other : bodiesIn(without(present_, unit))) {
+    if (question_.staying[other] || !isBlockedDirectlyBy(unit, other)) continue;
+    const BodyGroup others = unitOf(other, question_.rules);
+    if (ofJoints(others).empty() && ofClashes(others).empty()) continue;
+    return {GLISSADE_TEXT("'%1' is in its way, and is stuck for a reason of its own"), {name(other)}};
+  }
+  return {};
+}
+
+bool StuckReasons::isBlockedDirectlyBy(const BodyGroup& unit, std::size_t other) const {
+  const auto refused = refusals_.find(unit);
+  if (refused == refusals_.end()) return false;
+  const auto direct = refused->second.find(0);
+  if (direct == refused->second.end()) return false;
+  const std::vector<std::size_t>& blocking = direct->second.blockedBy;
+  return std::find(blocking.begin(), blocking.end(), other) != blocking.end();
+}
+
+/// Names a body that stays and blocks the unit without any other body; empty if there is none.
+Message StuckReasons::ofOneAlone(const BodyGroup& unit, const std::set<std::size_t>& blocking) const {
+  for (const std::size_t other : blocking) {
+    if (!question_.staying[other] || !blocksAlone(unit, other)) continue;
+    return {GLISSADE_TEXT("'%1' alone blocks every straight motion of it, and no other motion was found; if '%1' is "
+                          "several parts drawn as one, such as a bolt with its nut, draw them apart"),
+            {name(other)}};
+  }
+  return {};
 }
 
 /// True if all blocking bodies, at least two, belong to one other unit.
@@ -159,6 +196,17 @@ bool StuckReasons::isBlockedBy(const BodyGroup& unit, const BodyGroup& others) c
     return std::any_of(blocking.begin(), blocking.end(),
                        [&](std::size_t body) { return std::binary_search(others.begin(), others.end(), body); });
   });
+}
+
+/// True if the unit has no direct way out while nothing but the other body is there.
+bool StuckReasons::blocksAlone(const BodyGroup& unit, std::size_t other) const {
+  if (isBlockedDirectlyBy(unit, other) && refusals_.at(unit).at(0).blockedBy.size() == 1) return true;
+  BodySet pair(present_.size(), false);
+  for (const std::size_t body : unit) pair[body] = true;
+  pair[other] = true;
+  const RemovalAnswer answer = question_.trial.tryRemoval(unit, pair, 0, {});
+  const auto* held = std::get_if<Refused>(&answer);
+  return held != nullptr && !held->stopped;
 }
 
 /// True if `body` blocks the unit of `other`, which blocks `body`.

@@ -41,6 +41,10 @@ class StuckReasons {
   Message ofCuts(const BodyGroup& unit, const std::set<std::size_t>& blocking) const;
   bool isCaged(const BodyGroup& unit, const std::set<std::size_t>& blocking) const;
   bool isBlockedBy(const BodyGroup& unit, const BodyGroup& others) const;
+  Message ofStuckBlocker(const BodyGroup& unit) const;
+  bool isBlockedDirectlyBy(const BodyGroup& unit, std::size_t other) const;
+  Message ofOneAlone(const BodyGroup& unit, const std::set<std::size_t>& blocking) const;
+  bool blocksAlone(const BodyGroup& unit, std::size_t other) const;
   bool holdEachOther(std::size_t body, std::size_t other) const;
 
   const SequenceQuestion& question_;

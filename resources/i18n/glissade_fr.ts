@@ -3245,10 +3245,6 @@
         <translation>%1 {1|liaison|liaisons} de %2 corps</translation>
     </message>
     <message>
-        <source>screws in bodies without a hole in the file, each of which makes its own: %1</source>
-        <translation>vis dans des corps sans trou dans le fichier, qui font chacune le leur&#xa0;: %1</translation>
-    </message>
-    <message>
         <source>joints whose evidence contradicts itself, for the user to decide (?): %1</source>
         <translation>liaisons dont les indices se contredisent, à trancher par l&apos;utilisateur (?)&#xa0;: %1</translation>
     </message>
@@ -6271,10 +6267,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>recouvrement %1, tolérance de maillage %2, espacement %3, écart %4</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; without what its screw &apos;%2&apos; fills: the file has no hole there</source>
-        <translation>«&#xa0;%1&#xa0;» sans ce que sa vis «&#xa0;%2&#xa0;» remplit&#xa0;: le fichier n&apos;a pas de trou à cet endroit</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; without what overlaps &apos;%2&apos;, up to %3 deep: a clash that the user accepts</source>
         <translation>«&#xa0;%1&#xa0;» sans ce qui recouvre «&#xa0;%2&#xa0;», jusqu&apos;à %3 de profondeur&#xa0;: une interférence que l&apos;utilisateur accepte</translation>
     </message>
@@ -8707,10 +8699,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>%1, %2 face à %3 (%4)</translation>
     </message>
     <message>
-        <source>%1 without what its screw %2 fills (no hole in the file)</source>
-        <translation>%1 sans ce que sa vis %2 remplit (aucun trou dans le fichier)</translation>
-    </message>
-    <message>
         <source>%1 without what overlaps %2, up to %3 deep (accepted clash)</source>
         <translation>%1 sans ce qui recouvre %2, jusqu&apos;à %3 de profondeur (interférence acceptée)</translation>
     </message>
@@ -10963,14 +10951,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>rotation de %1 autour de l&apos;axe %2</translation>
     </message>
     <message>
-        <source>%1 without what its screw fills (no hole in the file)</source>
-        <translation>%1 sans ce que sa vis remplit (aucun trou dans le fichier)</translation>
-    </message>
-    <message>
-        <source>without what its screw %1 fills (no hole in the file)</source>
-        <translation>sans ce que sa vis %1 remplit (aucun trou dans le fichier)</translation>
-    </message>
-    <message>
         <source>%1 without what overlaps it, up to %2 deep (accepted clash)</source>
         <translation>%1 sans ce qui le recouvre, jusqu&apos;à %2 de profondeur (interférence acceptée)</translation>
     </message>
@@ -11381,6 +11361,50 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>has fewer than %1 entries</source>
         <translation>a moins de %1 entrées</translation>
+    </message>
+    <message>
+        <source>screws in bodies without a tapped hole in the file, each of which makes its own: %1</source>
+        <translation>vis dans des corps sans trou taraudé dans le fichier, qui font chacune le leur&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>not for assembly: &apos;%1&apos; is pulled off &apos;%2&apos; without being unscrewed: %3</source>
+        <translation>pas pour le montage&#xa0;: «&#xa0;%1&#xa0;» est tiré de «&#xa0;%2&#xa0;» sans être dévissé&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>%1 {1|pair|pairs} with allowances {1|overlaps|overlap} without being a fit, a thread or a press: %2</source>
+        <translation>%1 {1|paire avec amincissement se recouvre|paires avec amincissement se recouvrent} sans être ni un ajustement, ni un filetage, ni un serrage&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; without what its screw &apos;%2&apos; fills: the file has no tapped hole there</source>
+        <translation>«&#xa0;%1&#xa0;» sans ce que sa vis «&#xa0;%2&#xa0;» remplit&#xa0;: le fichier n&apos;a pas de trou taraudé à cet endroit</translation>
+    </message>
+    <message>
+        <source>%1 without what its screw fills (no tapped hole in the file)</source>
+        <translation>%1 sans ce que sa vis remplit (aucun trou taraudé dans le fichier)</translation>
+    </message>
+    <message>
+        <source>without what its screw %1 fills (no tapped hole in the file)</source>
+        <translation>sans ce que sa vis %1 remplit (aucun trou taraudé dans le fichier)</translation>
+    </message>
+    <message>
+        <source>not for assembly: the path pulls &apos;%1&apos; through the thread of &apos;%2&apos; without a turn (%3)</source>
+        <translation>pas pour le montage&#xa0;: la trajectoire tire «&#xa0;%1&#xa0;» à travers le filetage de «&#xa0;%2&#xa0;» sans tourner (%3)</translation>
+    </message>
+    <message>
+        <source>%1 without what its screw %2 fills (no tapped hole in the file)</source>
+        <translation>%1 sans ce que sa vis %2 remplit (aucun trou taraudé dans le fichier)</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is in its way, and is stuck for a reason of its own</source>
+        <translation>«&#xa0;%1&#xa0;» est sur son chemin, et est lui-même bloqué pour une autre raison</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; alone blocks every straight motion of it, and no other motion was found; if &apos;%1&apos; is several parts drawn as one, such as a bolt with its nut, draw them apart</source>
+        <translation>«&#xa0;%1&#xa0;» bloque à lui seul chaque mouvement droit de la pièce, et aucun autre mouvement n&apos;a été trouvé&#xa0;; si «&#xa0;%1&#xa0;» est fait de plusieurs pièces dessinées en une, comme une vis avec son écrou, dessinez-les séparément</translation>
+    </message>
+    <message>
+        <source>it is oriented and names no shell</source>
+        <translation>elle est orientée et ne nomme aucune coque</translation>
     </message>
 </context>
 <context>
@@ -15117,10 +15141,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>interférence acceptée avec %1, profonde de %2</translation>
     </message>
     <message>
-        <source>no hole in the file, with %1</source>
-        <translation>aucun trou dans le fichier, avec %1</translation>
-    </message>
-    <message>
         <source>a forbidden place</source>
         <translation>un lieu interdit</translation>
     </message>
@@ -15229,6 +15249,10 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
             <numerusform>%n segment sur %1 est bloqué, à %2 % par %3.</numerusform>
             <numerusform>%n segments sur %1 sont bloqués, le premier à %2 % par %3.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>no tapped hole in the file, with %1</source>
+        <translation>aucun trou taraudé dans le fichier, avec %1</translation>
     </message>
 </context>
 <context>

@@ -713,7 +713,10 @@ TEST_F(Cli, PartsThatFitComeOutAndTheAllowanceIsStated) {
   ASSERT_EQ(run("new " + made + " --moves " + product + ":screw --static " + product).exitCode, 0);
   const Finished plan = run("plan " + made + " --strategy auto --out " + path + " --json");
   ASSERT_EQ(plan.exitCode, 0) << plan.err;
-  const Json allowances = Json::parse(plan.out)["certificate"]["allowances"];
+  const Json report = Json::parse(plan.out);
+  const std::string pulled = report["pulled_threads"].at(0);
+  EXPECT_NE(pulled.find("not for assembly: the path pulls 'screw' through the thread of 'plate'"), std::string::npos);
+  const Json allowances = report["certificate"]["allowances"];
   ASSERT_EQ(allowances.size(), 1U) << allowances;
   EXPECT_EQ(allowances[0]["object"], "screw");
   EXPECT_EQ(allowances[0]["kind"], "thread");
@@ -724,6 +727,7 @@ TEST_F(Cli, PartsThatFitComeOutAndTheAllowanceIsStated) {
   const Finished check = run("check " + made + " " + path);
   EXPECT_EQ(check.exitCode, 0) << check.out;
   EXPECT_NE(check.out.find("'plate', 0.4"), std::string::npos) << check.out;
+  EXPECT_NE(check.out.find("not for assembly: 'screw' is pulled off 'plate'"), std::string::npos) << check.out;
   EXPECT_NE(check.out.find("mm on 'screw' (overlap 0.4"), std::string::npos) << check.out;
   EXPECT_EQ(run("check " + made + " " + path + " --fits off").exitCode, 1) << "the whole screw does not come out";
   EXPECT_EQ(run("plan " + made + " --fits off").exitCode, 4);

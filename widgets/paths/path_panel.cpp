@@ -34,7 +34,8 @@ QString nameOf(int body, const LoadedScenario& scenario) {
 QString allowanceText(const Fit& fit, const std::vector<PathPoint>& points, const LoadedScenario& scenario) {
   const QString body = nameOf(static_cast<int>(fit.obstacle), scenario);
   const QString length = lengthText(fit.allowance);
-  if (fit.hollow && fit.kind == ContactKind::Thread) return PathPanel::tr("no hole in the file, with %1").arg(body);
+  if (fit.hollow && fit.kind == ContactKind::Thread)
+    return PathPanel::tr("no tapped hole in the file, with %1").arg(body);
   if (fit.hollow) return PathPanel::tr("accepted clash with %1, %2 deep").arg(body, length);
   QString text = fit.yields ? PathPanel::tr("Allowance: %2 on %1, which gives way").arg(body, length)
                             : PathPanel::tr("Allowance: %1 on %2").arg(length, body);

@@ -83,8 +83,8 @@ TEST(MotionCheck, ANearlyStraightWayAlongAGapNeedsFewDistances) {
   EXPECT_EQ(judge.check({Pose::translation({-0.25, 0.0, kGap}), low}, {{kDemanded}}).status, check::Status::Violated);
 }
 
-/// A cube slides over a floor and passes a post on its way, nearer than the floor. The distances at both ends are those
-/// of the floor.
+/// A cube slides over a floor and passes between two posts, nearer to the first one than to the second one and to the
+/// floor. The distances at both ends are those of the floor.
 TEST(MotionCheck, TheNearestBodyOnAStraightWayIsNamed) {
   constexpr double kToFloor = 2e-4;
   constexpr double kToPost = 5e-5;
@@ -93,7 +93,9 @@ TEST(MotionCheck, TheNearestBodyOnAStraightWayIsNamed) {
   const auto floor = check::MotionCheck::prepare(makeBox({2.0, 2.0, 0.1}), Pose::translation({0.0, 0.0, -0.1}), 1.0);
   const auto post =
       check::MotionCheck::prepare(makeBox({0.05, 0.05, 0.3}), Pose::translation({0.0, 0.075 + kToPost, 0.16}), 1.0);
-  const check::MotionCheck judge({{floor, thin}, {post, thin}}, object, 1.0);
+  const auto other = check::MotionCheck::prepare(makeBox({0.05, 0.05, 0.3}),
+                                                 Pose::translation({0.0, -0.075 - 2.0 * kToPost, 0.16}), 1.0);
+  const check::MotionCheck judge({{floor, thin}, {post, thin}, {other, thin}}, object, 1.0);
   const check::MotionVerdict verdict =
       judge.check({Pose::translation({-0.5, 0.0, kToFloor}), Pose::translation({0.5, 0.0, kToFloor})}, {{1e-6}});
   ASSERT_EQ(verdict.status, check::Status::Certified);

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <sstream>
+
 #include "engine/check/verdict_report.h"
 #include "engine/files/judged_product.h"
 #include "engine/planning/screw_motion.h"
@@ -69,6 +72,30 @@ TEST(PlanVerdict, RefusesAnAllowanceAgainstWhatHasLeft) {
   const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt);
   ASSERT_FALSE(verdict.steps[2].refusals.empty());
   EXPECT_NE(toString(verdict.steps[2].refusals[0]).find("1 mm of 'drawer' on 'cap'"), std::string::npos);
+}
+
+/// Two blocks side by side on a base: the second one is proved beside the first, which may leave later in another
+/// order.
+TEST(PlanVerdict, ReportsNoAllowanceAgainstWhatHasLeft) {
+  const AssembledProduct product =
+      test::productOf({boxBody("base", {0.3, 0.1, 0.1}, Pose::identity()),
+                       boxBody("left", {0.1, 0.1, 0.1}, Pose::translation({-0.05, 0.0, 0.1})),
+                       boxBody("right", {0.1, 0.1, 0.1}, Pose::translation({0.05, 0.0, 0.1}))},
+                      true);
+  const AssemblyPlan plan = test::planOf(product, "base");
+  ASSERT_EQ(plan.steps.size(), 2U);
+  const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt);
+  EXPECT_TRUE(verdict.valid()) << whyNot(verdict, product);
+  const auto& judged = verdict.steps[1].allowances;
+  EXPECT_TRUE(
+      std::any_of(judged.begin(), judged.end(), [&](const auto& each) { return each.other == plan.steps[0].body; }));
+  const std::string text = check::reportText(verdict, judgedProduct(product));
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("step 1: allowance") == std::string::npos) continue;
+    EXPECT_EQ(line.find("'" + plan.steps[0].body + "'"), std::string::npos) << line;
+  }
+  EXPECT_NE(text.find("step 1: allowance"), std::string::npos) << "against the base";
 }
 
 /// A demand that the judge cannot read is not ignored.

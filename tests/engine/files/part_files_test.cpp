@@ -300,6 +300,7 @@ TEST(PartFiles, GroupsOfAnObjFileArePartsOnDemand) {
 }
 
 TEST(PartFiles, AreTakenAsTheirKindUsuallyIs) {
+  EXPECT_EQ(usualPart("a.3mf:#1").path, "a.3mf") << "the kind is said, and not that no file has this name";
   EXPECT_EQ(usualPart("a.STL").unit, kMillimetre);
   EXPECT_EQ(usualPart("a.obj").up, UpAxis::Z);
   for (const char* collada : {"a.dae", "a.gltf", "a.GLB"}) {

@@ -7,6 +7,7 @@
 #include "engine/geometry/primitives.h"
 #include "engine/import/step_import.h"
 #include "tests/engine/fits/screwed_parts.h"
+#include "tests/engine/fits/turned_parts.h"
 #include "tests/engine/support/random_pose.h"
 #include "tests/engine/support/step_files.h"
 
@@ -126,6 +127,24 @@ TEST(FitTable, ARefusedPairSaysWhy) {
   EXPECT_NE(toString(pair.way().refused).find("1.203 mm"), std::string::npos) << toString(pair.way().refused);
   EXPECT_TRUE(pair.thinner().empty());
   EXPECT_EQ(table.warnings().size(), 1U);
+}
+
+/// A cone in a rod, with its base in the end of the rod: their surfaces only touch, and the cone is a clash.
+TEST(FitTable, AnAcceptedClashStaysAClashWhereSurfacesOnlyTouch) {
+  FitSettings settings;
+  settings.on = true;
+  settings.acceptedClash = 0.006;
+  const TriangleMesh cone =
+      test::turnedMesh({{0.0, test::circle(0.0)}, {0.0, test::circle(0.003)}, {0.005, test::circle(0.0)}}, false);
+  const AssembledProduct product =
+      test::productOf({test::partAt("rod", test::rodMesh(0.01, 0.0, 0.1), Pose::identity())},
+                      test::partAt("cone", cone, Pose::identity()), settings);
+  const FitTable table = tableOf(product);
+  ASSERT_EQ(table.pairs().size(), 1U);
+  const PairFit& pair = table.pairs().front();
+  EXPECT_EQ(pair.contact.kind, ContactKind::Clash);
+  EXPECT_EQ(pair.status(), FitStatus::Accepted);
+  EXPECT_NEAR(pair.contact.overlap, 0.005, 1e-5);
 }
 
 TEST(FitTable, OfAStepProduct) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/fits/thread_pitch.h"
+#include "engine/geometry/primitives.h"
 #include "tests/engine/fits/turned_parts.h"
 #include "tests/engine/support/random_pose.h"
 
@@ -281,6 +282,56 @@ TEST(JointFinder, ABallBearingIsAUnit) {
   EXPECT_EQ(joints[0].state, JointState::Recognised);
   EXPECT_EQ(joints[0].body, 0U);
   EXPECT_EQ(joints[0].others.size(), 8U) << "the outer ring and seven balls";
+}
+
+/// A motor with its collars, and with two terminals that are no shaft, in the bore of a gear. A shaft that is many
+/// times as thick as a hole is no thread.
+TEST(JointFinder, AMotorIsNotScrewedIntoItsGear) {
+  for (const bool hasTerminals : {true, false}) {
+    TriangleMesh motor = turnedMesh({{-0.022, circle(0.0)},
+                                     {-0.022, circle(0.001)},
+                                     {-0.0165, circle(0.001)},
+                                     {-0.0165, circle(0.003)},
+                                     {-0.0145, circle(0.003)},
+                                     {-0.0145, circle(0.0095)},
+                                     {-0.011, circle(0.0095)},
+                                     {-0.011, circle(0.01185)},
+                                     {0.0125, circle(0.01185)},
+                                     {0.0125, circle(0.0)}},
+                                    false);
+    for (const double side : {-0.0087, 0.0087}) {
+      const Pose at = Pose::translation({side, 0.0, 0.0154});
+      if (hasTerminals) append(motor, transformed(makeBox({0.0005, 0.004, 0.0058}), at));
+    }
+    ProductOfParts parts;
+    parts.add("motor", motor).add("gear", tubeMesh(circle(0.00115), circle(0.006), -0.0215, -0.017));
+    EXPECT_THAT(findJoints(parts.product()), IsEmpty()) << "terminals: " << hasTerminals;
+  }
+}
+
+/// A barrel bolt turns in a sleeve bearing. A screw from the other end is in the thread of the bolt.
+TEST(JointFinder, ABearingIsNoTappedHole) {
+  ProductOfParts parts;
+  const Pose turned{{0.0, 0.0, -0.022}, Quaternion(Eigen::AngleAxisd(kHalfTurn, Vector3::UnitX()))};
+  parts
+      .add("5x20 barrel bolt", turnedMesh({{-0.012, circle(0.0)},
+                                           {-0.012, circle(0.0018)},
+                                           {-0.02, circle(0.0018)},
+                                           {-0.02, circle(0.0025)},
+                                           {0.0, circle(0.0025)},
+                                           {0.0, circle(0.004)},
+                                           {0.002, circle(0.004)},
+                                           {0.002, circle(0.0)}},
+                                          false))
+      .add("5x7x8 sleeve bearing", tubeMesh(circle(0.0025), circle(0.0035), -0.016, -0.008))
+      .add("lever", plateMesh(0.0023, 0.02, -0.022, -0.02))
+      .add("M4x6 SHCS", capScrew(0.004, 0.006), turned);
+  const Joints joints = findJoints(parts.product());
+  ASSERT_EQ(joints.size(), 1U);
+  EXPECT_EQ(joints[0].kind, JointKind::Screw);
+  EXPECT_EQ(joints[0].body, 3U);
+  EXPECT_THAT(joints[0].others, ElementsAre(0U));
+  EXPECT_THAT(joints[0].clamped, ElementsAre(2U));
 }
 
 TEST(JointFinder, WhatOnlyPassesAHoleIsNotJoined) {

@@ -190,6 +190,15 @@ TEST(MalformedStep, AFaceThatIsLostIsToldWithItsEntityAndItsConsequence) {
   }
 }
 
+/// OpenCASCADE 7.6 crashes on a question about the faces of such a shell.
+TEST(MalformedStep, AnOrientedShellThatNamesNoShellIsNamed) {
+  const TemporaryFolder folder;
+  const std::string box = stepText("box.step");
+  const std::string shell = "#900000=ORIENTED_CLOSED_SHELL(''," + idOf(box, "CLOSED_SHELL") + ",.F.);";
+  const std::string file = folder.write("a.step", replaced(box, "ENDSEC;\nEND-ISO", shell + "\nENDSEC;\nEND-ISO"));
+  expectRefused(importStep(file, 0.0), file, "#900000: it is oriented and names no shell");
+}
+
 /// OpenCASCADE 7.6 crashes on a face without its loop, with names of solids and without.
 TEST(MalformedStep, ACrashOfTheLibraryIsOneClearMessage) {
   const TemporaryFolder folder;

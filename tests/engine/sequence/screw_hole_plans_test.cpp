@@ -2,6 +2,8 @@
 // without hand-made joints.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "engine/evidence/named_screw.h"
 #include "engine/files/judged_product.h"
 #include "engine/sequence/sequence_run.h"
@@ -83,6 +85,62 @@ TEST(ScrewHolePlan, NothingElseMakesAHole) {
                                           cappedMotor("DIN 912 M4x10", -0.0005)}) {
     EXPECT_TRUE(planOf(product).steps.empty()) << product.bodies[2].id;
   }
+}
+
+/// The wall of a slot with ribs: `tip` is the radius at the ribs, which are at these angles, radians.
+Contour ribbed(double wall, double tip, const std::vector<double>& ribs) {
+  return [=](double angle) {
+    const bool isRib = std::any_of(ribs.begin(), ribs.end(), [&](double rib) {
+      return std::abs(std::remainder(angle - rib, 2.0 * kHalfTurn)) < 0.15;
+    });
+    return isRib ? tip : wall;
+  };
+}
+
+/// A profile whose slot has ribs for a screw of 3.5 mm, a cap, and a screw through the cap.
+AssembledProduct cappedProfile(const std::string& name, double tip = 0.00146,
+                               const std::vector<double>& ribs = {0.0, 2.1, 4.2}) {
+  constexpr double kOff = 2.5e-6;
+  constexpr double kWall = 0.00178;
+  return productOf(
+      {faceOf("profile", tubeMesh(ribbed(kWall, tip, ribs), prism(0.03, 4), -0.03, -0.004), kOff, kWall),
+       faceOf("cap", plateMesh(0.002, 0.03, -0.004, 0.0), kOff), faceOf(name, capScrew(0.0035, 0.012), kOff, 0.00175)},
+      true);
+}
+
+/// True if the last body forms its thread in the first one.
+bool formsThread(const AssembledProduct& product) {
+  const auto measured = [](const RigidBody& body) {
+    return evidence::Body{body.id, body.shown(), body.mesh, body.X_WB};
+  };
+  const evidence::Body screw = measured(product.bodies.back());
+  const evidence::Body host = measured(product.bodies.front());
+  evidence::PlacedBodies placed;
+  return evidence::screwInSolid({screw, screw.X_WB}, {host, host.X_WB}, placed, {}).has_value();
+}
+
+TEST(ScrewHolePlan, AScrewFormsItsThreadInTheRibsOfASlot) {
+  const AssembledProduct product = cappedProfile("black screw");
+  AssemblyPlan plan = planOf(product);
+  ASSERT_EQ(orderOf(plan), (std::vector<std::string>{"black screw", "cap"}));
+  EXPECT_EQ(plan.steps[0].method, kTurned);
+  EXPECT_TRUE(formsThread(product));
+  const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt, {});
+  EXPECT_TRUE(verdict.valid());
+  std::vector<PathPoint>& path = plan.steps[0].path;
+  path = {path.front(), path.back()};
+  path.back().q.orientation = path.front().q.orientation;
+  EXPECT_FALSE(judgePlan(plan, product, std::nullopt, {}).steps[0].refusals.empty()) << "pulled without a turn";
+}
+
+/// A name that says no screw, ribs that are deeper than a thread, and ribs on one side that the shaft would leave.
+TEST(ScrewHolePlan, NoOtherShaftFormsAThread) {
+  EXPECT_FALSE(formsThread(cappedProfile("screw cap")));
+  EXPECT_FALSE(formsThread(cappedProfile("post")));
+  EXPECT_FALSE(formsThread(cappedProfile("black screw", 0.001)));
+  EXPECT_FALSE(formsThread(cappedProfile("ST3.5x12", 0.001)));
+  EXPECT_FALSE(formsThread(cappedProfile("M8 screw")));
+  EXPECT_FALSE(formsThread(cappedProfile("black screw", 0.00146, {0.0, 0.7, 1.4})));
 }
 
 TEST(ScrewHolePlan, TheJudgeReadsSizesOfScrewsByItself) {

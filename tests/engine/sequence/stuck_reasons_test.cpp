@@ -98,6 +98,43 @@ TEST(StuckReasons, APartOfSolidsThatDoNotTouchMayBeOpened) {
   }
 }
 
+/// Two frames between the flanges of a spool block each other, and the spool alone holds each of them.
+TEST(StuckReasons, ABodyThatHoldsAloneIsNamedBeforeTheOnesBesideIt) {
+  const auto frame = [](const char* name, double at) {
+    return test::bodyOf(name, {{{0.02, 0.1, 0.03}, {0.04, 0.0, at}},
+                               {{0.02, 0.1, 0.03}, {-0.04, 0.0, at}},
+                               {{0.1, 0.02, 0.03}, {0.0, 0.04, at}},
+                               {{0.1, 0.02, 0.03}, {0.0, -0.04, at}}});
+  };
+  const AssembledProduct product = test::productOf({test::bodyOf("spool", {{{0.09, 0.09, 0.02}, {0.0, 0.0, 0.05}},
+                                                                           {{0.04, 0.04, 0.1}, {0.0, 0.0, 0.0}},
+                                                                           {{0.09, 0.09, 0.02}, {0.0, 0.0, -0.05}}}),
+                                                    frame("upper", 0.018), frame("lower", -0.018)},
+                                                   true);
+  const AssemblyPlan plan = plainPlanOf(product);
+  ASSERT_EQ(plan.stuck.size(), 2U);
+  for (const StuckBody& stuck : plan.stuck) {
+    EXPECT_THAT(toString(stuck.reason), HasSubstr("'spool' alone blocks every straight motion of it"));
+  }
+}
+
+/// A block in a box, below a lid that clashes with the box.
+TEST(StuckReasons, ABodyWaitsForOneThatIsStuckItself) {
+  const AssembledProduct product =
+      test::productOf({test::bodyOf("box", {{{0.2, 0.2, 0.05}, {0.0, 0.0, -0.075}},
+                                            {{0.05, 0.2, 0.2}, {-0.075, 0.0, 0.0}},
+                                            {{0.05, 0.2, 0.2}, {0.075, 0.0, 0.0}},
+                                            {{0.2, 0.05, 0.2}, {0.0, -0.075, 0.0}},
+                                            {{0.2, 0.05, 0.2}, {0.0, 0.075, 0.0}}}),
+                       boxBody("lid", {0.2, 0.2, 0.05}, Pose::translation({0.0, 0.0, 0.12})),
+                       boxBody("block", {0.095, 0.095, 0.14}, Pose::translation({0.0, 0.0, 0.022}))},
+                      true);
+  const AssemblyPlan plan = plainPlanOf(product);
+  ASSERT_EQ(plan.stuck.size(), 2U);
+  EXPECT_THAT(toString(plan.stuck[0].reason), HasSubstr("it and 'box' clash"));
+  EXPECT_THAT(toString(plan.stuck[1].reason), HasSubstr("'lid' is in its way, and is stuck for a reason of its own"));
+}
+
 TEST(StuckReasons, BodiesThatTouchDoNotClash) { EXPECT_TRUE(plainPlanOf(overlapping(0.0)).stuck.empty()); }
 
 }  // namespace
