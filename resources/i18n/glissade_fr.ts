@@ -8035,10 +8035,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>a une balise ou un attribut sans nom</translation>
     </message>
     <message>
-        <source>By hand</source>
-        <translation>À la main</translation>
-    </message>
-    <message>
         <source>A person: keys, 6D mouse, gamepad and the controllers of a headset together.</source>
         <translation>Une personne&#xa0;: clavier, souris 6D, manette de jeu et manettes d&apos;un casque ensemble.</translation>
     </message>
@@ -8399,14 +8395,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Réduisez %1, ou planifiez avec «&#xa0;auto&#xa0;».</translation>
     </message>
     <message>
-        <source>Interactive with contact (paper)</source>
-        <translation>Interactif avec contact (article)</translation>
-    </message>
-    <message>
-        <source>You steer the object and the computer searches with you; near an obstacle the object slides on it (Blin et al. 2016, Algorithm 1).</source>
-        <translation>Vous guidez l&apos;objet et l&apos;ordinateur cherche avec vous&#xa0;; près d&apos;un obstacle, l&apos;objet glisse dessus (Blin et al. 2016, algorithme 1).</translation>
-    </message>
-    <message>
         <source>RRT-Connect</source>
         <translation>RRT-Connect</translation>
     </message>
@@ -8421,30 +8409,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>Two trees that grow towards each other (Kuffner and LaValle 2000).</source>
         <translation>Deux arbres qui croissent l&apos;un vers l&apos;autre (Kuffner et LaValle 2000).</translation>
-    </message>
-    <message>
-        <source>BKPIECE (OMPL)</source>
-        <translation>BKPIECE (OMPL)</translation>
-    </message>
-    <message>
-        <source>Two trees that grow from the border of the cells explored (Sucan and Kavraki 2009).</source>
-        <translation>Deux arbres qui croissent depuis le bord des cellules explorées (Sucan et Kavraki 2009).</translation>
-    </message>
-    <message>
-        <source>PRM (OMPL)</source>
-        <translation>PRM (OMPL)</translation>
-    </message>
-    <message>
-        <source>A roadmap of the whole space (Kavraki et al. 1996).</source>
-        <translation>Un graphe de tout l&apos;espace (Kavraki et al. 1996).</translation>
-    </message>
-    <message>
-        <source>EST (OMPL)</source>
-        <translation>EST (OMPL)</translation>
-    </message>
-    <message>
-        <source>One tree that grows where it is sparse (Hsu et al. 1999).</source>
-        <translation>Un arbre qui croît là où il est peu dense (Hsu et al. 1999).</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is a planner for comparison, which only glissade-cli has</source>
@@ -8495,32 +8459,16 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Comme le logiciel des articles en 2016&#xa0;: près d&apos;un obstacle, les échantillons de contact passent avant le tirage selon la part de l&apos;ordinateur.</translation>
     </message>
     <message>
-        <source>RRT (G)</source>
-        <translation>RRT (G)</translation>
-    </message>
-    <message>
         <source>One RRT in the whole workspace (Cailhol et al. 2019, section 6.1).</source>
         <translation>Un RRT dans tout l&apos;espace de travail (Cailhol et al. 2019, section 6.1).</translation>
-    </message>
-    <message>
-        <source>Shortest path through places (GT)</source>
-        <translation>Plus court chemin par les lieux (GT)</translation>
     </message>
     <message>
         <source>The shortest path through the places, RRT in each of them (Cailhol et al. 2019, section 6.1).</source>
         <translation>Le chemin le plus court à travers les lieux, un RRT dans chacun (Cailhol et al. 2019, section 6.1).</translation>
     </message>
     <message>
-        <source>Places: holes of the same shape (GTS1)</source>
-        <translation>Lieux&#xa0;: trous de même forme (GTS1)</translation>
-    </message>
-    <message>
         <source>Holes of the object&apos;s shape and easy places first (Cailhol et al. 2019, section 6.2).</source>
         <translation>D&apos;abord les trous de la forme de l&apos;objet et les lieux faciles (Cailhol et al. 2019, section 6.2).</translation>
-    </message>
-    <message>
-        <source>Places: holes that fit (GTS2)</source>
-        <translation>Lieux&#xa0;: trous qui conviennent (GTS2)</translation>
     </message>
     <message>
         <source>Holes that the object fits and easy places first (Cailhol et al. 2019, section 6.2, table 1).</source>
@@ -8533,10 +8481,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>Geometry, places and semantics (GTS): the object goes through the passages that it fits best, and takes the next best path where one fails.</source>
         <translation>Géométrie, lieux et sémantique (GTS)&#xa0;: l&apos;objet prend les passages qui lui conviennent le mieux, et le meilleur chemin suivant quand l&apos;un échoue.</translation>
-    </message>
-    <message>
-        <source>Places: own rules</source>
-        <translation>Lieux&#xa0;: règles propres</translation>
     </message>
     <message>
         <source>The rules of the scenario.</source>
@@ -11418,6 +11362,62 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <source>You steer the object. The way of your hand is kept and proved, and the computer searches from it; at α = 1 the automatic planners finish the path.</source>
         <translation>Vous guidez l&apos;objet. Le trajet de votre main est conservé et prouvé, et l&apos;ordinateur cherche à partir de lui&#xa0;; à α = 1, les planificateurs automatiques finissent le chemin.</translation>
     </message>
+    <message>
+        <source>My hand</source>
+        <translation>Ma main</translation>
+    </message>
+    <message>
+        <source>Interactive with contact</source>
+        <translation>Interactif avec contact</translation>
+    </message>
+    <message>
+        <source>Algorithm 1 as printed (Blin et al. 2016): you steer the object and the computer searches with you; near an obstacle the object slides on it.</source>
+        <translation>Algorithme 1 tel qu&apos;imprimé (Blin et al. 2016)&#xa0;: vous dirigez l&apos;objet et l&apos;ordinateur cherche avec vous&#xa0;; près d&apos;un obstacle, l&apos;objet glisse sur celui-ci.</translation>
+    </message>
+    <message>
+        <source>BKPIECE</source>
+        <translation>BKPIECE</translation>
+    </message>
+    <message>
+        <source>Two trees that grow from the border of the cells explored (Sucan and Kavraki 2009), of OMPL.</source>
+        <translation>Deux arbres qui croissent depuis le bord des cellules explorées (Sucan et Kavraki 2009), d&apos;OMPL.</translation>
+    </message>
+    <message>
+        <source>PRM</source>
+        <translation>PRM</translation>
+    </message>
+    <message>
+        <source>A roadmap of the whole space (Kavraki et al. 1996), of OMPL.</source>
+        <translation>Une carte de tout l&apos;espace (Kavraki et al. 1996), d&apos;OMPL.</translation>
+    </message>
+    <message>
+        <source>EST</source>
+        <translation>EST</translation>
+    </message>
+    <message>
+        <source>One tree that grows where it is sparse (Hsu et al. 1999), of OMPL.</source>
+        <translation>Un arbre qui croît là où il est clairsemé (Hsu et al. 1999), d&apos;OMPL.</translation>
+    </message>
+    <message>
+        <source>G</source>
+        <translation>G</translation>
+    </message>
+    <message>
+        <source>GT</source>
+        <translation>GT</translation>
+    </message>
+    <message>
+        <source>GTS1</source>
+        <translation>GTS1</translation>
+    </message>
+    <message>
+        <source>GTS2</source>
+        <translation>GTS2</translation>
+    </message>
+    <message>
+        <source>Own rules</source>
+        <translation>Règles propres</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -11797,10 +11797,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Écrire la gamme de montage</translation>
     </message>
     <message>
-        <source>In the list of strategies (panel Interaction), choose Advanced, then Shortest path through places (GT), and press Find path (F5). The path leads through the slot P6, which is too narrow, and the run ends there: the panel Plan says where and why.</source>
-        <translation>Dans la liste des stratégies (panneau Interaction), choisissez Avancées, puis Plus court chemin par les lieux (GT), et appuyez sur Chercher un chemin (F5). Le chemin passe par la fente P6, qui est trop étroite, et le calcul s&apos;y termine&#xa0;: le panneau Plan dit où et pourquoi.</translation>
-    </message>
-    <message>
         <source>Choose the strategy Layers and press Find path (F5). It knows that the object does not fit through the slot and goes through P5. The path that it finds is certified free of penetration.</source>
         <translation>Choisissez la stratégie Couches et appuyez sur Chercher un chemin (F5). Elle sait que l&apos;objet ne passe pas par la fente, et passe par P5. Le chemin trouvé est certifié sans pénétration.</translation>
     </message>
@@ -11811,6 +11807,10 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>The slider Explode in the panel Sequence moves the parts apart, in the order of removal. Choose Assembly &gt; Sequence &gt; Save the sequence (Ctrl+Alt+E) and a name that ends in .html or .pdf: a work instruction with a picture of each step. Shift+F1 explains anything in the window; Ctrl+K finds any command.</source>
         <translation>Le curseur Éclater du panneau Séquence écarte les pièces, dans l&apos;ordre du démontage. Choisissez Assemblage &gt; Séquence &gt; Enregistrer la séquence (Ctrl+Alt+E) et un nom qui finit par .html ou .pdf&#xa0;: une gamme de montage avec une image de chaque étape. Maj+F1 explique tout dans la fenêtre&#xa0;; Ctrl+K trouve toute commande.</translation>
+    </message>
+    <message>
+        <source>In the list of strategies (panel Interaction), choose Research, then GT, and press Find path (F5). The path leads through the slot P6, which is too narrow, and the run ends there: the panel Plan says where and why.</source>
+        <translation>Dans la liste des stratégies (panneau Interaction), choisissez Recherche, puis GT, et appuyez sur Chercher un chemin (F5). Le chemin passe par la fente P6, trop étroite, et le calcul s&apos;y arrête&#xa0;: le panneau Plan dit où et pourquoi.</translation>
     </message>
 </context>
 <context>
@@ -13945,16 +13945,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Cadence</translation>
     </message>
     <message>
-        <source>Advanced…</source>
-        <translation>Avancées…</translation>
-    </message>
-    <message>
-        <source>Shows all strategies</source>
-        <translation>Montre toutes les stratégies</translation>
-    </message>
-    <message>
-        <source>Advanced</source>
-        <translation>Avancées</translation>
+        <source>not connected</source>
+        <translation>non connecté</translation>
     </message>
 </context>
 <context>
@@ -15805,6 +15797,25 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>The recording cannot be replayed</source>
         <translation>L&apos;enregistrement ne peut pas être rejoué</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ResearchBox</name>
+    <message>
+        <source>Research…</source>
+        <translation>Recherche…</translation>
+    </message>
+    <message>
+        <source>Shows what studies compare, by the names of the literature</source>
+        <translation>Affiche ce que les études comparent, sous les noms de la littérature</translation>
+    </message>
+    <message>
+        <source>Research</source>
+        <translation>Recherche</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
     </message>
 </context>
 <context>

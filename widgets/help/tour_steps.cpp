@@ -61,8 +61,8 @@ const std::vector<TourStep>& tourSteps() {
        arePlacesShown},
       {QT_TRANSLATE_NOOP("Tour", "Plan with topology"),
        QT_TRANSLATE_NOOP("Tour",
-                         "In the list of strategies (panel Interaction), choose Advanced, then Shortest path through "
-                         "places (GT), and press Find path (F5). The path leads through the slot P6, which is too "
+                         "In the list of strategies (panel Interaction), choose Research, then GT, "
+                         "and press Find path (F5). The path leads through the slot P6, which is too "
                          "narrow, and the run ends there: the panel Plan says where and why."),
        "strategy",
        {"select-strategy gt", "action run.start"},

@@ -122,6 +122,7 @@ RunController::RunController(const Workbench& bench)
       counts_(new CountsPanel(&bench.window)),
       status_(new QLabel(&bench.window)),
       elapsed_(new QLabel(&bench.window)) {
+  interaction_->setHand(bench.session.hand());
   status_->setObjectName(QStringLiteral("status"));
   status_->setTextFormat(Qt::PlainText);
   status_->setText(tr("No scenario is open."));
