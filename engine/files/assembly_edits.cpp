@@ -18,7 +18,7 @@ Diagnostic refusal(const Location& location, const Message& reason, const Messag
 Location placeOf(const std::string& bodyId) { return {GLISSADE_TEXT("body '%1'"), {bodyId}}; }
 
 Diagnostic noSuchBody(const std::string& id) {
-  return refusal(placeOf(id), GLISSADE_TEXT("there is no such body"), GLISSADE_TEXT("Choose one of the scene panel."));
+  return refusal(placeOf(id), GLISSADE_TEXT("there is no such body"), GLISSADE_TEXT("Choose one of the panel Product."));
 }
 
 std::vector<BodyDescription>::iterator findBody(const std::string& id, Scenario& scenario) {

@@ -66,7 +66,10 @@ std::unique_ptr<OperatorDevice> makeHand(const DeviceContext& context) {
 }
 
 DeviceEntry held(Member member, std::string id, CatalogueText label, CatalogueText description) {
-  return {std::move(id), label, description, false,
+  return {std::move(id),
+          label,
+          description,
+          false,
           [member](const DeviceContext& context) -> std::unique_ptr<OperatorDevice> {
             if (!context.hand) return nullptr;
             return amongObstacles(context, std::make_unique<ShapedDevice>(context.hand, (*context.hand).*member));
@@ -75,7 +78,10 @@ DeviceEntry held(Member member, std::string id, CatalogueText label, CatalogueTe
 }
 
 DeviceEntry tracked(ControllerSide side, std::string id, CatalogueText label, CatalogueText description) {
-  return {std::move(id), label, description, false,
+  return {std::move(id),
+          label,
+          description,
+          false,
           [side](const DeviceContext& context) -> std::unique_ptr<OperatorDevice> {
             if (!context.hand || !context.world) return nullptr;
             return amongObstacles(context, std::make_unique<GraspingHand>(context.hand, side, context.world));

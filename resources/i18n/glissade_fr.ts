@@ -48,10 +48,6 @@
         <translation>La surface contient l&apos;objet à chaque instant du chemin, et n&apos;en est nulle part plus éloignée que la borne indiquée.</translation>
     </message>
     <message>
-        <source>The panel Difficulty lists the smallest distance between the two trees, the bodies between them, and how much more room the object needs.</source>
-        <translation>Le panneau Difficulté énumère la plus petite distance entre les deux arbres, les corps entre eux, et la place qui manque à l&apos;objet.</translation>
-    </message>
-    <message>
         <source>Every run is recorded with its seed, its parameters and what the operator did. The replay gives the same roadmap, node by node.</source>
         <translation>Chaque calcul est enregistré avec sa graine, ses paramètres et ce que l&apos;opérateur a fait. La relecture donne le même graphe, nœud par nœud.</translation>
     </message>
@@ -87,6 +83,10 @@
         <source>Several ways to hold the part or its tool are tried, with the wrist bent in six ways. Hand, forearm and tool are sampled along the motion: this is no proof. Measures of the hand are those of ANSUR II.</source>
         <translation>Plusieurs prises de la pièce ou de son outil sont essayées, avec six flexions du poignet. La main, l&apos;avant-bras et l&apos;outil sont vérifiés par échantillons le long du mouvement : ce n&apos;est pas une preuve. Les mesures de la main sont celles d&apos;ANSUR II.</translation>
     </message>
+    <message>
+        <source>The panel Path &gt; Why not lists the smallest distance between the two trees, the bodies between them, and how much more room the object needs.</source>
+        <translation>Le panneau Chemin &gt; Pourquoi non énumère la plus petite distance entre les deux arbres, les corps entre eux, et la place qui manque à l&apos;objet.</translation>
+    </message>
 </context>
 <context>
     <name>Actions</name>
@@ -97,10 +97,6 @@
     <message>
         <source>Remove</source>
         <translation>Supprimer</translation>
-    </message>
-    <message>
-        <source>Bring the section planes to the front</source>
-        <translation>Mettre les plans de coupe au premier plan</translation>
     </message>
     <message>
         <source>Play the path again when its end is reached</source>
@@ -397,10 +393,6 @@
     <message>
         <source>Bring the list of bodies to the front</source>
         <translation>Mettre la liste des corps au premier plan</translation>
-    </message>
-    <message>
-        <source>Bring the editor of semantic attributes to the front</source>
-        <translation>Mettre l&apos;éditeur des attributs sémantiques au premier plan</translation>
     </message>
     <message>
         <source>Bring the figures of the run to the front</source>
@@ -1019,10 +1011,6 @@
         <translation>Nouvelle graine</translation>
     </message>
     <message>
-        <source>&amp;Section panel</source>
-        <translation>Pann&amp;eau Coupe</translation>
-    </message>
-    <message>
         <source>Show the &amp;tightest place</source>
         <translation>Montrer le &amp;passage le plus étroit</translation>
     </message>
@@ -1179,20 +1167,8 @@
         <translation>&amp;Région d&apos;une étape</translation>
     </message>
     <message>
-        <source>S&amp;cene panel</source>
-        <translation>Pa&amp;nneau Scène</translation>
-    </message>
-    <message>
-        <source>Se&amp;mantics panel</source>
-        <translation>Panneau Sé&amp;mantique</translation>
-    </message>
-    <message>
         <source>&amp;Run panel</source>
         <translation>Panneau &amp;Calcul</translation>
-    </message>
-    <message>
-        <source>&amp;Plan panel</source>
-        <translation>&amp;Panneau Plan</translation>
     </message>
     <message>
         <source>Pa&amp;th panel</source>
@@ -1269,10 +1245,6 @@
     <message>
         <source>&amp;Reset the layout</source>
         <translation>&amp;Rétablir la disposition</translation>
-    </message>
-    <message>
-        <source>&amp;Difficulty panel</source>
-        <translation>Panneau &amp;Difficulté</translation>
     </message>
     <message>
         <source>Arra&amp;nge with the mouse</source>
@@ -1369,10 +1341,6 @@
     <message>
         <source>&amp;Orthographic projection</source>
         <translation>Projection &amp;orthographique</translation>
-    </message>
-    <message>
-        <source>Pat&amp;hs panel</source>
-        <translation>Panneau &amp;Gardés</translation>
     </message>
     <message>
         <source>&amp;Log panel</source>
@@ -2446,6 +2414,74 @@
         <source>Done</source>
         <translation>Terminé</translation>
     </message>
+    <message>
+        <source>&amp;Assembly</source>
+        <translation>&amp;Assemblage</translation>
+    </message>
+    <message>
+        <source>Show the panels for products: their bodies and the sequence</source>
+        <translation>Affiche les panneaux des produits&#xa0;: leurs corps et la séquence</translation>
+    </message>
+    <message>
+        <source>workspace layout product</source>
+        <translation>espace de travail disposition produit</translation>
+    </message>
+    <message>
+        <source>&amp;Path planning</source>
+        <translation>&amp;Planification de chemin</translation>
+    </message>
+    <message>
+        <source>Show the panels for one motion: its strategy, its run and its path</source>
+        <translation>Affiche les panneaux d&apos;un mouvement&#xa0;: sa stratégie, son calcul et son chemin</translation>
+    </message>
+    <message>
+        <source>workspace layout motion</source>
+        <translation>espace de travail disposition mouvement</translation>
+    </message>
+    <message>
+        <source>&amp;Study</source>
+        <translation>É&amp;tude</translation>
+    </message>
+    <message>
+        <source>Show all panels of a run, the bodies and the log, for research</source>
+        <translation>Affiche tous les panneaux d&apos;un calcul, les corps et le journal, pour la recherche</translation>
+    </message>
+    <message>
+        <source>workspace layout research</source>
+        <translation>espace de travail disposition recherche</translation>
+    </message>
+    <message>
+        <source>&amp;Bodies panel</source>
+        <translation>Panneau C&amp;orps</translation>
+    </message>
+    <message>
+        <source>&amp;Kept paths panel</source>
+        <translation>Panneau Chemins co&amp;nservés</translation>
+    </message>
+    <message>
+        <source>Pla&amp;ces panel</source>
+        <translation>Panneau L&amp;ieux</translation>
+    </message>
+    <message>
+        <source>Bring the places and the attributes to the front</source>
+        <translation>Met les lieux et les attributs au premier plan</translation>
+    </message>
+    <message>
+        <source>Coarse &amp;plan panel</source>
+        <translation>Panneau Plan &amp;grossier</translation>
+    </message>
+    <message>
+        <source>&amp;Why not panel</source>
+        <translation>Panneau Po&amp;urquoi non</translation>
+    </message>
+    <message>
+        <source>&amp;Section bar</source>
+        <translation>&amp;Barre des coupes</translation>
+    </message>
+    <message>
+        <source>Show the bar of the section planes</source>
+        <translation>Affiche la barre des plans de coupe</translation>
+    </message>
 </context>
 <context>
     <name>Arranging</name>
@@ -2904,6 +2940,10 @@
     <message>
         <source>Stud&amp;ies</source>
         <translation>Ét&amp;udes</translation>
+    </message>
+    <message>
+        <source>&amp;Workspaces</source>
+        <translation>&amp;Espaces de travail</translation>
     </message>
 </context>
 <context>
@@ -9059,10 +9099,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>ce corps n&apos;existe pas</translation>
     </message>
     <message>
-        <source>Choose one of the scene panel.</source>
-        <translation>Choisissez-en un dans le panneau Scène.</translation>
-    </message>
-    <message>
         <source>this is not a position in space</source>
         <translation>ce n&apos;est pas une position dans l&apos;espace</translation>
     </message>
@@ -11418,6 +11454,10 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <source>Own rules</source>
         <translation>Règles propres</translation>
     </message>
+    <message>
+        <source>Choose one of the panel Product.</source>
+        <translation>Choisissez-en un dans le panneau Produit.</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -11749,10 +11789,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Regarder une étape</translation>
     </message>
     <message>
-        <source>Click a row of the table in the panel Plan (Alt+4). Each row is a step through one place, with the planner that found it. The scene marks the place of the step, and its attributes can be changed in the panel Semantics.</source>
-        <translation>Cliquez une ligne du tableau dans le panneau Plan (Alt+4). Chaque ligne est la traversée d&apos;un lieu, avec le planificateur qui l&apos;a trouvée. La scène marque le lieu de l&apos;étape, et ses attributs se modifient dans le panneau Sémantique.</translation>
-    </message>
-    <message>
         <source>Open parts</source>
         <translation>Ouvrir des pièces</translation>
     </message>
@@ -11767,10 +11803,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>See the fits</source>
         <translation>Voir les ajustements</translation>
-    </message>
-    <message>
-        <source>Choose Assembly &gt; Find fits (Ctrl+I). The parts touch, as most CAD parts do. The panel Fits lists the pairs, with gap and allowance: the moving part is that much thinner against the other one. A click on a row marks the two parts.</source>
-        <translation>Choisissez Assemblage &gt; Chercher les ajustements (Ctrl+I). Les pièces se touchent, comme la plupart des pièces CAO. Le panneau Ajustements énumère les paires, avec écart et amincissement&#xa0;: la pièce manipulée est d&apos;autant plus mince face à l&apos;autre. Un clic sur une ligne marque les deux pièces.</translation>
     </message>
     <message>
         <source>Remove a part</source>
@@ -11809,8 +11841,16 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Le curseur Éclater du panneau Séquence écarte les pièces, dans l&apos;ordre du démontage. Choisissez Assemblage &gt; Séquence &gt; Enregistrer la séquence (Ctrl+Alt+E) et un nom qui finit par .html ou .pdf&#xa0;: une gamme de montage avec une image de chaque étape. Maj+F1 explique tout dans la fenêtre&#xa0;; Ctrl+K trouve toute commande.</translation>
     </message>
     <message>
-        <source>In the list of strategies (panel Interaction), choose Research, then GT, and press Find path (F5). The path leads through the slot P6, which is too narrow, and the run ends there: the panel Plan says where and why.</source>
-        <translation>Dans la liste des stratégies (panneau Interaction), choisissez Recherche, puis GT, et appuyez sur Chercher un chemin (F5). Le chemin passe par la fente P6, trop étroite, et le calcul s&apos;y arrête&#xa0;: le panneau Plan dit où et pourquoi.</translation>
+        <source>In the list of strategies (panel Interaction), choose Research, then GT, and press Find path (F5). The path leads through the slot P6, which is too narrow, and the run ends there: the panel Run &gt; Coarse plan says where and why.</source>
+        <translation>Dans la liste des stratégies (panneau Interaction), choisissez Recherche, puis GT, et appuyez sur Chercher un chemin (F5). Le chemin passe par la fente P6, qui est trop étroite, et le calcul s&apos;y termine&#xa0;: le panneau Calcul &gt; Plan grossier dit où et pourquoi.</translation>
+    </message>
+    <message>
+        <source>Click a row of the table in the panel Run &gt; Coarse plan (Alt+4). Each row is a step through one place, with the planner that found it. The scene marks the place of the step, and its attributes can be changed in the panel Product &gt; Places (Alt+2).</source>
+        <translation>Cliquez une ligne du tableau dans le panneau Calcul &gt; Plan grossier (Alt+4). Chaque ligne est la traversée d&apos;un lieu, avec le planificateur qui l&apos;a trouvée. La scène marque le lieu de l&apos;étape, et ses attributs se modifient dans le panneau Produit &gt; Lieux (Alt+2).</translation>
+    </message>
+    <message>
+        <source>Choose Assembly &gt; Find fits (Ctrl+I). The parts touch, as most CAD parts do. The panel Contacts &gt; Fits lists the pairs, with gap and allowance: the moving part is that much thinner against the other one. A click on a row marks the two parts.</source>
+        <translation>Choisissez Assemblage &gt; Chercher les ajustements (Ctrl+I). Les pièces se touchent, comme la plupart des pièces CAO. Le panneau Contacts &gt; Ajustements énumère les paires, avec écart et amincissement&#xa0;: la pièce manipulée est d&apos;autant plus mince face à l&apos;autre. Un clic sur une ligne marque les deux pièces.</translation>
     </message>
 </context>
 <context>
@@ -14519,16 +14559,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
 <context>
     <name>glissade::MainWindow</name>
     <message>
-        <source>Section</source>
-        <translation>Coupe</translation>
-    </message>
-    <message>
         <source>Interaction</source>
         <translation>Interaction</translation>
-    </message>
-    <message>
-        <source>Scene</source>
-        <translation>Scène</translation>
     </message>
     <message>
         <source>Run</source>
@@ -14539,28 +14571,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Chemin</translation>
     </message>
     <message>
-        <source>Semantics</source>
-        <translation>Sémantique</translation>
-    </message>
-    <message>
-        <source>Plan</source>
-        <translation>Plan</translation>
-    </message>
-    <message>
-        <source>Difficulty</source>
-        <translation>Difficulté</translation>
-    </message>
-    <message>
         <source>Not possible</source>
         <translation>Opération impossible</translation>
     </message>
     <message>
         <source>Fits</source>
         <translation>Ajustements</translation>
-    </message>
-    <message>
-        <source>Paths</source>
-        <translation>Chemins</translation>
     </message>
     <message>
         <source>Log</source>
@@ -14573,6 +14589,42 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>Joints</source>
         <translation>Liaisons</translation>
+    </message>
+    <message>
+        <source>Product</source>
+        <translation>Produit</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Contacts</translation>
+    </message>
+    <message>
+        <source>Bodies</source>
+        <translation>Corps</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Lieux</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Chiffres</translation>
+    </message>
+    <message>
+        <source>Coarse plan</source>
+        <translation>Plan grossier</translation>
+    </message>
+    <message>
+        <source>This path</source>
+        <translation>Ce chemin</translation>
+    </message>
+    <message>
+        <source>Kept paths</source>
+        <translation>Conservés</translation>
+    </message>
+    <message>
+        <source>Why not</source>
+        <translation>Pourquoi non</translation>
     </message>
 </context>
 <context>
@@ -16073,6 +16125,13 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>%1: part of the product&apos;s file, and not of this product</source>
         <translation>%1&#xa0;: fait partie du fichier du produit, mais pas de ce produit</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::SectionController</name>
+    <message>
+        <source>Sections</source>
+        <translation>Coupes</translation>
     </message>
 </context>
 <context>

@@ -171,7 +171,7 @@ void explainWindow(QMainWindow& window) {
   const QString tabs = helpText(QT_TRANSLATE_NOOP("WhatsThis",
                                                   "Panels that share a place. Alt and a digit bring one to "
                                                   "the front; View > Panels shows and hides them."));
-  for (QTabBar* bar : window.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) bar->setWhatsThis(tabs);
+  for (QTabBar* bar : window.findChildren<QTabBar*>()) bar->setWhatsThis(tabs);
   window.menuBar()->setWhatsThis(
       helpText(QT_TRANSLATE_NOOP("WhatsThis", "All commands. Ctrl+K finds one by a part of its name.")));
   window.statusBar()->setWhatsThis(

@@ -87,9 +87,8 @@ InteractionPanel::InteractionPanel(QWidget* parent)
   connect(pace_, &PaceBox::paceChosen, this, [this](double pace) {
     emit commanded(command::SetParameter{ParameterId::Pace, pace});
   });
-  connect(planner_, &ResearchBox::entryChosen, this, [this](const QString& id) {
-    emit commanded(command::SetPlanner{id.toStdString()});
-  });
+  connect(planner_, &ResearchBox::entryChosen, this,
+          [this](const QString& id) { emit commanded(command::SetPlanner{id.toStdString()}); });
   connect(device_, &ResearchBox::entryChosen, this, &InteractionPanel::deviceChosen);
   connect(device_, &ResearchBox::popupDue, this, &InteractionPanel::showMissingDevices);
   connect(seed_, &SeedBox::seedChosen, this, [this](quint64 seed) { emit commanded(command::SetSeed{seed}); });

@@ -335,7 +335,7 @@ bool SequenceController::isEditable() const {
   return shown().plan && shown().product && !shown().plan->bodies.empty() && !planner_.isPlanning() && !shown().growing;
 }
 
-void SequenceController::bringToFront() { bench_.actions["panel.sequence"]->trigger(); }
+void SequenceController::bringToFront() { bench_.bringToFront(Workspace::Assembly, "panel.sequence"); }
 
 std::optional<Diagnostic> SequenceController::open(const QString& file) {
   const std::string name = file.toStdString();
