@@ -177,11 +177,20 @@ void SessionCore::setParameter(ParameterId id, double value) {
   if (left != tuned) setParameter(ParameterId::Tuning, left);  // the user has set the parameter
 }
 
-/// Sets the edits. An existing path that leads through a place that is forbidden now does not hold any more.
+/// Sets the edits. The reason of a run that failed was about other edits. A path that leads through a place that is
+/// forbidden now does not hold any more, and a refused path is examined again, because a place may be allowed now.
 void SessionCore::setSemantics(const SemanticEditsPtr& edits, const WorkWatch& watch) {
   problem_.scene.edits = edits;
   const bool running = state_ == SessionState::Planning || state_ == SessionState::Paused;
   if (running) logger_.note(edits);
+  if (state_ == SessionState::Failed) {
+    trouble_.reset();
+    state_ = SessionState::Idle;
+  }
+  if (!running && refused_) {
+    examine({refused_->path.points, provenance_}, watch);
+    return;
+  }
   if (!running && !path_) return;  // the forbidden places are computed at the start
   const Outcome known = forbidByEdits(watch.stop);
   if (!known && running) {
