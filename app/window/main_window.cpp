@@ -31,6 +31,7 @@
 #include "widgets/places/environment_controller.h"
 #include "widgets/product/assembly_controller.h"
 #include "widgets/product/body_visibility.h"
+#include "widgets/product/box_selection.h"
 #include "widgets/product/document_controller.h"
 #include "widgets/product/variants_controller.h"
 #include "widgets/run/difficulty_controller.h"
@@ -129,6 +130,7 @@ void MainWindow::addParts() {
   eyes->addTools(*refusal, *sequence, {*sections, *measure}, *path->panel());
   new TimesController(bench_, *sequence);
   new ManualController(bench_);
+  new BoxSelection(bench_);
   remember_ = [this, path, sequence, eyes] {
     path->remember(*memory_);
     sequence->remember(*memory_);
@@ -166,6 +168,7 @@ void MainWindow::addParts() {
 
 void MainWindow::connectActions() {
   bench_.onAction("file.quit", this, [this] { close(); });
+  bench_.onAction("file.close", this, [this] { closesToWelcomePage_ = close(); });
   bench_.onAction("view.reset-layout", this, [this] { docks_.arrange(); });
   connect(actions_["view.dark"], &QAction::toggled, this,
           [this](bool dark) { setTheme(dark ? Theme::Dark : Theme::Light); });

@@ -18,7 +18,6 @@ const std::vector<MenuSpec>& menuTable() {
       {"menu.place-layers", QT_TRANSLATE_NOOP("Menus", "La&yers of places"), {"menu.view", 3, 20}},
       {"menu.section", QT_TRANSLATE_NOOP("Menus", "Se&ctions"), {"menu.view", 3, 30}},
       {"menu.measure", QT_TRANSLATE_NOOP("Menus", "&Measure"), {"menu.view", 3, 40}},
-      {"menu.workspaces", QT_TRANSLATE_NOOP("Menus", "&Workspaces"), {"menu.view", 4, 5}},
       {"menu.panels", QT_TRANSLATE_NOOP("Menus", "&Panels"), {"menu.view", 4, 10}},
       {"menu.go", QT_TRANSLATE_NOOP("Menus", "&Go to panel"), {"menu.view", 4, 20}},
       {"menu.assembly", QT_TRANSLATE_NOOP("Menus", "&Assembly"), {"", 1, 40}},

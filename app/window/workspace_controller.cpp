@@ -38,6 +38,7 @@ WorkspaceController::WorkspaceController(const Workbench& bench, PanelDocks& doc
 void WorkspaceController::addSwitch() {
   auto* buttons = new QWidget(bench_.window.menuBar());
   buttons->setObjectName(QStringLiteral("workspaces"));
+  buttons->setStyleSheet(QStringLiteral("QToolButton { padding: 1px 10px; margin: 0; }"));  // as high as the menus
   auto* row = new QHBoxLayout(buttons);
   row->setContentsMargins(0, 0, 6, 0);
   row->setSpacing(0);

@@ -879,10 +879,6 @@
         <translation>Déplacer l&apos;objet le long du chemin de moindre pénétration, ou suspendre la lecture</translation>
     </message>
     <message>
-        <source>Hide the selected obstacles; planning still takes them into account</source>
-        <translation>Masquer les obstacles sélectionnés&#xa0;; la planification en tient toujours compte</translation>
-    </message>
-    <message>
         <source>Make a scenario from STEP, mesh or URDF files, with one moving part</source>
         <translation>Créer un scénario à partir de fichiers STEP, de maillages ou URDF, avec une pièce manipulée</translation>
     </message>
@@ -2482,6 +2478,50 @@
         <source>Show the bar of the section planes</source>
         <translation>Affiche la barre des plans de coupe</translation>
     </message>
+    <message>
+        <source>Close the scenario and show the welcome page</source>
+        <translation>Ferme le scénario et affiche la page d&apos;accueil</translation>
+    </message>
+    <message>
+        <source>New &amp;window</source>
+        <translation>No&amp;uvelle fenêtre</translation>
+    </message>
+    <message>
+        <source>Open another window, for another scenario</source>
+        <translation>Ouvre une autre fenêtre, pour un autre scénario</translation>
+    </message>
+    <message>
+        <source>Give the selected body another name (F2 in the list of bodies)</source>
+        <translation>Donne un autre nom au corps sélectionné (F2 dans la liste des corps)</translation>
+    </message>
+    <message>
+        <source>Show the attributes of what is selected: class, mass, mobility</source>
+        <translation>Affiche les attributs de la sélection&#xa0;: classe, masse, mobilité</translation>
+    </message>
+    <message>
+        <source>attributes mass material class</source>
+        <translation>attributs masse matériau classe</translation>
+    </message>
+    <message>
+        <source>Hide the selected obstacles (also H); planning still takes them into account</source>
+        <translation>Masquer les obstacles sélectionnés (aussi H)&#xa0;; la planification en tient toujours compte</translation>
+    </message>
+    <message>
+        <source>Path planning</source>
+        <translation>Chemin</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>Fer&amp;mer</translation>
+    </message>
+    <message>
+        <source>R&amp;ename...</source>
+        <translation>Re&amp;nommer...</translation>
+    </message>
+    <message>
+        <source>Pr&amp;operties</source>
+        <translation>Pr&amp;opriétés</translation>
+    </message>
 </context>
 <context>
     <name>Arranging</name>
@@ -2940,10 +2980,6 @@
     <message>
         <source>Stud&amp;ies</source>
         <translation>Ét&amp;udes</translation>
-    </message>
-    <message>
-        <source>&amp;Workspaces</source>
-        <translation>&amp;Espaces de travail</translation>
     </message>
 </context>
 <context>
@@ -11458,6 +11494,14 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <source>Choose one of the panel Product.</source>
         <translation>Choisissez-en un dans le panneau Produit.</translation>
     </message>
+    <message>
+        <source>cannot have the name &apos;%1&apos;</source>
+        <translation>ne peut pas porter le nom «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>Give a name without &apos;/&apos;.</source>
+        <translation>Donnez un nom sans «&#xa0;/&#xa0;».</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -11947,10 +11991,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>L&apos;enregistrement que l&apos;on relit, pas à pas.</translation>
     </message>
     <message>
-        <source>The scene. Drag to orbit, middle-drag to pan, wheel to zoom, double-click to fit. A click selects a body, or a place while places are shown. The right button opens a menu. Keys move the object (Ctrl+F1 lists them).</source>
-        <translation>La scène. Bouton gauche&#xa0;: tourner&#xa0;; bouton du milieu&#xa0;: déplacer&#xa0;; molette&#xa0;: zoomer&#xa0;; double clic&#xa0;: cadrer. Un clic sélectionne un corps, ou un lieu quand les lieux sont affichés. Le bouton droit ouvre un menu. Les touches déplacent l&apos;objet (Ctrl+F1 les énumère).</translation>
-    </message>
-    <message>
         <source>What can be opened: new parts, recent files and samples.</source>
         <translation>Ce que l&apos;on peut ouvrir&#xa0;: nouvelles pièces, fichiers récents et exemples.</translation>
     </message>
@@ -12157,6 +12197,18 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>How they are joined: screw, nut, thread, insert, pin, snap, flexible, permanent, unit.</source>
         <translation>Comment ils sont liés&#xa0;: vis, écrou, filetage, insert, goupille, clip, souple, permanente, unité.</translation>
+    </message>
+    <message>
+        <source>The scene. Drag to orbit, middle-drag to pan, wheel to zoom, double-click to fit. A click selects a body, or a place while places are shown; Ctrl+Shift and a drag select all bodies in a box. The right button opens a menu. Keys move the object (Ctrl+F1 lists them).</source>
+        <translation>La scène. Bouton gauche&#xa0;: tourner&#xa0;; bouton du milieu&#xa0;: déplacer&#xa0;; molette&#xa0;: zoomer&#xa0;; double clic&#xa0;: cadrer. Un clic sélectionne un corps, ou un lieu quand les lieux sont affichés&#xa0;; Ctrl+Maj et un glissement sélectionnent tous les corps dans un rectangle. Le bouton droit ouvre un menu. Les touches déplacent l&apos;objet (Ctrl+F1 les énumère).</translation>
+    </message>
+    <message>
+        <source>The product: its bodies, and the places of the free space.</source>
+        <translation>Le produit&#xa0;: ses corps, et les lieux de l&apos;espace libre.</translation>
+    </message>
+    <message>
+        <source>How the bodies of the product touch, and how they are joined.</source>
+        <translation>Comment les corps du produit se touchent, et comment ils sont liés.</translation>
     </message>
 </context>
 <context>
@@ -12477,6 +12529,10 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
             <numerusform>Pièce manipulée&#xa0;: %1 et %n autre</numerusform>
             <numerusform>Pièce manipulée&#xa0;: %1 et %n autres</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>Renommer %1</translation>
     </message>
 </context>
 <context>
@@ -13386,6 +13442,26 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>Not saved: %1.</source>
         <translation>Non enregistré&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Save a copy of the sample</source>
+        <translation>Enregistrer une copie de l&apos;exemple</translation>
+    </message>
+    <message>
+        <source>Keep the path?</source>
+        <translation>Conserver le chemin&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Keep the path of &quot;%1&quot;?</source>
+        <translation>Conserver le chemin de «&#xa0;%1&#xa0;»&#xa0;?</translation>
+    </message>
+    <message>
+        <source>&amp;Keep path</source>
+        <translation>&amp;Conserver le chemin</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Enregistré&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -16823,6 +16899,10 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>%1, in its group: %2</source>
         <translation>%1, dans son groupe : %2</translation>
+    </message>
+    <message>
+        <source>of before</source>
+        <translation>d&apos;avant</translation>
     </message>
 </context>
 <context>

@@ -282,6 +282,7 @@ TEST_P(AccessibilityTest, NoNameWidensAPanel) {
       leastWidths(*window, scenarioWithNames(tail), folder.filePath(QStringLiteral("b.json")), "path" + tail);
   for (const auto& [dock, width] : usual) EXPECT_LE(lengthy.at(dock), width) << dock.toStdString();
   // The size of a screen of 1920 x 1080 pixels at 200 %.
+  window->fitInto({960, 540});
   EXPECT_LE(window->minimumSizeHint().width(), 960);
   EXPECT_LE(window->minimumSizeHint().height(), 540);
 }

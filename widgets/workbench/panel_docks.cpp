@@ -8,6 +8,7 @@
 #include <QStyle>
 #include <QTabBar>
 #include <QTabWidget>
+#include <QTimer>
 #include <QToolBar>
 #include <QTreeView>
 
@@ -72,8 +73,15 @@ void showWholeNames(QTabBar& tabs) {
   tabs.setElideMode(Qt::ElideNone);
 }
 
-/// Shows the whole names on the tabs that the window makes for docks at the same place.
-class WholeTabNames final : public QObject {
+/// A panel that floats is behind a window that is shown later.
+void raiseFloating(QMainWindow& window) {
+  for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+    if (dock->isFloating() && !dock->isHidden()) dock->raise();
+  }
+}
+
+/// Shows the whole names on the tabs that the window makes for docks at the same place, and raises panels that float.
+class TabsAndFloats final : public QObject {
  public:
   using QObject::QObject;
 
@@ -82,6 +90,9 @@ class WholeTabNames final : public QObject {
     if (event->type() == QEvent::ChildPolished) {
       auto* tabs = qobject_cast<QTabBar*>(static_cast<QChildEvent*>(event)->child());
       if (tabs != nullptr) showWholeNames(*tabs);
+    } else if (event->type() == QEvent::Show) {
+      auto* window = static_cast<QMainWindow*>(watched);
+      QTimer::singleShot(0, window, [window] { raiseFloating(*window); });
     }
     return QObject::eventFilter(watched, event);
   }
@@ -132,7 +143,7 @@ const QWidget* panelOf(const QWidget* widget) {
 }
 
 PanelDocks::PanelDocks(QMainWindow& window, const ActionCatalogue& actions) : window_(window), actions_(actions) {
-  window.installEventFilter(new WholeTabNames(&window));
+  window.installEventFilter(new TabsAndFloats(&window));
 }
 
 void PanelDocks::addDock(const DockSpec& spec) {
@@ -142,6 +153,9 @@ void PanelDocks::addDock(const DockSpec& spec) {
   auto* tabs = new QTabWidget(dock);
   tabs->setDocumentMode(true);
   tabs->setTabBarAutoHide(true);
+  // The bar takes the focus itself: a proxy that is hidden would stop Tab.
+  tabs->setFocusProxy(nullptr);
+  tabs->setFocusPolicy(Qt::NoFocus);
   showWholeNames(*tabs->tabBar());
   tabs->tabBar()->setAccessibleName(spec.title);
   const auto makeRoom = [this, dock, tabs] {
@@ -305,10 +319,7 @@ void PanelDocks::restore() {
   for (QToolBar* bar : window_.findChildren<QToolBar*>(QString(), Qt::FindDirectChildrenOnly)) {
     bar->setHidden(hidden.contains(bar));
   }
-  // A panel that floats would be behind the window.
-  for (const Dock& dock : docks_) {
-    if (dock.widget->isFloating() && !dock.widget->isHidden()) dock.widget->raise();
-  }
+  raiseFloating(window_);
 }
 
 PanelDocks::Layouts PanelDocks::layouts() const {
