@@ -153,8 +153,8 @@ TEST_F(AssemblyWindow, TheGizmoMovesTurnsAndAlignsWhatIsSelected) {
                                 "expect-outside none\naction edit.undo\naction edit.undo\n"
                                 // The front of the body is aligned with the front of O3, then flipped; both are one
                                 // edit.
-                                "action assembly.align\nexpect-arranging no\nclick 303 224\nclick 430 278\n"
-                                "expect-arranging yes\naction panel.scene\nexpect-place O5 1393.59,775,300\n"
+                                "action assembly.align\nexpect-arranging no\nclick 298 224\nclick 423 277\n"
+                                "expect-arranging yes\naction panel.scene\nexpect-place O5 1393.495,775,300\n"
                                 "action assembly.flip\nexpect-place O5 1375,1025,300\n"
                                 "action edit.undo\nexpect-place O5 1375,1575,300\n"
                                 "key tap Esc\nexpect-arranging no\n"
