@@ -144,7 +144,10 @@ void SectionController::show() {
   }
   bench_.scene.view().setSections(planes);
   const bool handles = bench_.actions["section.handles"]->isChecked();
-  bar_->setVisible(!sections.empty());
+  if (bar_->isHidden() != sections.empty()) {
+    bar_->setVisible(!sections.empty());
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);  // the view has its size before it is drawn
+  }
   tool_.setSections(handles ? sections : std::vector<SectionPlane>(), panel_->extent());
   const bool mayAdd = !panel_->extent().isEmpty() && sections.size() < kMostSections;
   for (const char* id : kAddActions) bench_.enable(id, mayAdd);
