@@ -173,7 +173,7 @@ std::optional<Diagnostic> tooManyFiles(const QCommandLineParser& parser) {
       GLISSADE_TEXT("Give one scenario, or on screen part files only. glissade-cli new makes a scenario of parts.")};
 }
 
-int runWindow(const QCommandLineParser& parser, MainWindow& window) {
+int runWindow(const QCommandLineParser& parser, const QStringList& files, MainWindow& window) {
   const bool batch = isBatch(parser);
   window.setBatch(batch);
   if (!batch && !parser.isSet("size")) {
@@ -182,7 +182,6 @@ int runWindow(const QCommandLineParser& parser, MainWindow& window) {
   if (!batch) window.remember(std::make_unique<WindowMemory>(), !parser.isSet("size"));
   if (parser.isSet("theme")) window.setTheme(themeNamed(parser.value("theme")));
   if (const auto why = applyStereo(parser, window.workbench().actions)) return fail(*why);
-  const QStringList files = parser.positionalArguments();
   const QString file = files.value(0);
   const bool asksForParts = !batch && areParts(files);
   if (!file.isEmpty() && !asksForParts) {
@@ -307,19 +306,22 @@ int runApplication(int argc, char** argv, const SceneWidgetFactory& makeScene, S
 
   // A window without a display has no screen to fit.
   if (clock != SessionClock::Lockstep) application.installEventFilter(new ScreenFit(&application));
-  MainWindow window(makeScene, clock);
-  window.setTheme(themeNamed(theme));
-  // Without a display the window has the size of the screen.
-  window.resize(*size);
-  window.fitInto(clock == SessionClock::Lockstep ? *size : roomOn(window));
-  WorkController& work = window.workbench().work;
-  application.setFailureHandler([&work](const Diagnostic& why) { work.reportFailure(why); });
-  const int status = runWindow(parser, window);
-  application.setFailureHandler({});
-  // On screen the user has read the failure.
-  const auto why = work.takeFailure();
-  const bool batch = clock == SessionClock::Lockstep || parser.isSet("script");
-  return status == 0 && why && batch ? fail(*why) : status;
+  for (QStringList files = parser.positionalArguments();; files.clear()) {
+    MainWindow window(makeScene, clock);
+    window.setTheme(themeNamed(theme));
+    // Without a display the window has the size of the screen.
+    window.resize(*size);
+    window.fitInto(clock == SessionClock::Lockstep ? *size : roomOn(window));
+    WorkController& work = window.workbench().work;
+    application.setFailureHandler([&work](const Diagnostic& why) { work.reportFailure(why); });
+    const int status = runWindow(parser, files, window);
+    application.setFailureHandler({});
+    if (window.closesToWelcomePage()) continue;
+    // On screen the user has read the failure.
+    const auto why = work.takeFailure();
+    const bool batch = clock == SessionClock::Lockstep || parser.isSet("script");
+    return status == 0 && why && batch ? fail(*why) : status;
+  }
 }
 
 }  // namespace glissade

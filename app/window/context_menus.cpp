@@ -20,9 +20,9 @@ using ActionIds = std::vector<const char*>;  ///< an empty id is a separator
 const ActionIds kObjectMenu{"run.start",         "object.to-start", "", "assembly.start-here", "assembly.goal-here",
                             "assembly.goal-out", "assembly.swap",   "", "assembly.free-ends",  "assembly.arrange",
                             "operator.camera"};
-const ActionIds kBodyMenu{"view.zoom-selection", "body.hide",       "body.isolate",       "body.show-all",   "",
-                          "assembly.moves",      "sequence.stays",  "assembly.leave-out", "assembly.remove", "",
-                          "fits.find",           "assembly.arrange"};
+const ActionIds kBodyMenu{"body.rename",        "body.properties", "", "view.zoom-selection", "body.hide",
+                          "body.isolate",       "body.show-all",   "", "assembly.moves",      "sequence.stays",
+                          "assembly.leave-out", "assembly.remove", "", "fits.find",           "assembly.arrange"};
 const ActionIds kDisplayMenu{"display-selected.shaded-edges", "display-selected.shaded", "display-selected.see-through",
                              "display-selected.wireframe", "display-selected.as-view"};
 const ActionIds kPlaceMenu{"place.forbid", "place.prefer", "milestone.set", "milestone.reset", "", "layer.places"};

@@ -12,6 +12,7 @@
 #include "app/window/theme.h"
 #include "app/window/window_actions.h"
 #include "app/window/window_script.h"
+#include "app/window/workspace_controller.h"
 #include "widgets/arrange/arrange_controller.h"
 #include "widgets/arrange/workspace_notice.h"
 #include "widgets/contacts/fits_controller.h"
@@ -30,6 +31,7 @@
 #include "widgets/places/environment_controller.h"
 #include "widgets/product/assembly_controller.h"
 #include "widgets/product/body_visibility.h"
+#include "widgets/product/box_selection.h"
 #include "widgets/product/document_controller.h"
 #include "widgets/product/variants_controller.h"
 #include "widgets/run/difficulty_controller.h"
@@ -83,6 +85,8 @@ MainWindow::~MainWindow() {
 
 /// Makes the controllers. Each panel adds one line to the docks.
 void MainWindow::addParts() {
+  // The first observer of the document: others raise panels in the workspace that it shows.
+  new WorkspaceController(bench_, docks_);
   new DocumentController(bench_);
   auto* view = new ViewController(bench_);
   new DisplayController(bench_);
@@ -126,30 +130,33 @@ void MainWindow::addParts() {
   eyes->addTools(*refusal, *sequence, {*sections, *measure}, *path->panel());
   new TimesController(bench_, *sequence);
   new ManualController(bench_);
+  new BoxSelection(bench_);
   remember_ = [this, path, sequence, eyes] {
     path->remember(*memory_);
     sequence->remember(*memory_);
     eyes->remember(*memory_);
   };
 
-  docks_.add({tr("Interaction"), "interaction", run->interactionPanel(), DockPlace::Left});
-  docks_.add({tr("Scene"), "scene-tree", assembly->panel(), DockPlace::UpperRight, "panel.scene"});
-  docks_.add({tr("Semantics"), "semantics", environment->semanticsPanel(), DockPlace::UpperRight, "panel.semantics",
-              Scrolling::Own});
-  docks_.add({tr("Fits"), "fits", fits->panel(), DockPlace::UpperRight, "panel.fits", Scrolling::Table});
-  docks_.add({tr("Joints"), "joints", joints->panel(), DockPlace::UpperRight, "panel.joints", Scrolling::Table,
-              [joints] { return joints->panel()->table() != nullptr; }});
-  docks_.add({tr("Section"), "section", sections->panel(), DockPlace::UpperRight, "panel.section"});
-  docks_.add({tr("Run"), "run", run->countsPanel(), DockPlace::LowerRight, "panel.run"});
-  docks_.add({tr("Plan"), "plan", environment->planPanel(), DockPlace::LowerRight, "panel.plan", Scrolling::Own});
-  docks_.add({tr("Path"), "path", path->panel(), DockPlace::LowerRight, "panel.path"});
-  docks_.add({tr("Paths"), "paths", kept->panel(), DockPlace::LowerRight, "panel.paths", Scrolling::Table});
-  docks_.add({tr("Log"), "log", (new LogController(bench_))->panel(), DockPlace::LowerRight, "panel.log",
-              Scrolling::Own, [] { return false; }});
-  docks_.add(
-      {tr("Sequence"), "sequence", sequence->panel(), DockPlace::LowerRight, "panel.sequence", Scrolling::Table});
-  docks_.add({tr("Difficulty"), "difficulty", difficulty->panel(), DockPlace::LowerRight, "panel.difficulty",
-              Scrolling::Own, [difficulty] { return difficulty->difficulty() != nullptr; }});
+  using enum Workspace;
+  docks_.addDock({tr("Interaction"), "interaction", DockPlace::Left, {Planning, Study}});
+  docks_.addDock({tr("Product"), "product", DockPlace::UpperRight, {Assembly, Study}, DockPlace::Left});
+  docks_.addDock({tr("Contacts"), "contacts", DockPlace::UpperRight, {}});
+  docks_.addDock({tr("Run"), "run", DockPlace::UpperRight, {Planning, Study}});
+  docks_.addDock({tr("Path"), "path", DockPlace::LowerRight, {Planning, Study}});
+  docks_.addDock({tr("Sequence"), "sequence", DockPlace::LowerRight, {Assembly}});
+  docks_.addDock({tr("Log"), "log", DockPlace::LowerRight, {Study}});
+  docks_.add({"interaction", tr("Interaction"), "interaction", run->interactionPanel()});
+  docks_.add({"product", tr("Bodies"), "scene-tree", assembly->panel(), "panel.scene"});
+  docks_.add({"product", tr("Places"), "semantics", environment->semanticsPanel(), "panel.semantics", Scrolling::Own});
+  docks_.add({"contacts", tr("Fits"), "fits", fits->panel(), "panel.fits", Scrolling::Table});
+  docks_.add({"contacts", tr("Joints"), "joints", joints->panel(), "panel.joints", Scrolling::Table});
+  docks_.add({"run", tr("Figures"), "run", run->countsPanel(), "panel.run"});
+  docks_.add({"run", tr("Coarse plan"), "plan", environment->planPanel(), "panel.plan", Scrolling::Own});
+  docks_.add({"path", tr("This path"), "path", path->panel(), "panel.path"});
+  docks_.add({"path", tr("Kept paths"), "paths", kept->panel(), "panel.paths", Scrolling::Table});
+  docks_.add({"path", tr("Why not"), "difficulty", difficulty->panel(), "panel.difficulty", Scrolling::Own});
+  docks_.add({"sequence", tr("Sequence"), "sequence", sequence->panel(), "panel.sequence", Scrolling::Table});
+  docks_.add({"log", tr("Log"), "log", (new LogController(bench_))->panel(), "panel.log", Scrolling::Own});
   docks_.orderTabStops();
   resize(1280, 720);  // the docks share the width that the window has at this moment
   docks_.arrange();
@@ -161,6 +168,7 @@ void MainWindow::addParts() {
 
 void MainWindow::connectActions() {
   bench_.onAction("file.quit", this, [this] { close(); });
+  bench_.onAction("file.close", this, [this] { closesToWelcomePage_ = close(); });
   bench_.onAction("view.reset-layout", this, [this] { docks_.arrange(); });
   connect(actions_["view.dark"], &QAction::toggled, this,
           [this](bool dark) { setTheme(dark ? Theme::Dark : Theme::Light); });
@@ -196,7 +204,8 @@ void MainWindow::remember(std::unique_ptr<WindowMemory> memory, bool sizeToo) {
   dialogs_.setMemory(memory_.get());
   views_->setMemory(memory_.get());
   remember_();
-  memory_->restoreLayout(*this, sizeToo);
+  if (sizeToo) restoreGeometry(memory_->windowGeometry());
+  docks_.setLayouts(memory_->layouts(), docks_.workspace());
   room_.fit(room_.room());
   memory_->restoreChoices(actions_);
   preferences_->remember(*memory_);
@@ -216,7 +225,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   commitEditorInUse();
   event->setAccepted(files_->mayDiscard());
   if (!event->isAccepted() || !memory_) return;
-  memory_->saveLayout(*this);
+  memory_->saveLayouts(docks_.layouts(), saveGeometry());
   memory_->saveChoices(actions_);
 }
 

@@ -35,6 +35,8 @@ class MainWindow final : public QMainWindow {
   /// Limits the size of the window and arranges its panels in this room, which room() returns.
   void fitInto(const QSize& room) { room_.fit(room); }
   const QSize& room() const { return room_.room(); }
+  /// Whether the window was closed to be shown again without a scenario. A document never becomes empty again.
+  bool closesToWelcomePage() const { return closesToWelcomePage_; }
   /// No person answers questions: scripts, screenshots.
   void setBatch(bool batch);
   /// Remembers recent files and the layout from now on, and restores the remembered layout.
@@ -70,6 +72,7 @@ class MainWindow final : public QMainWindow {
   PreferencesController* preferences_ = nullptr;
   std::function<void()> remember_;  ///< gives the controllers the contents of memory_ before the layout is restored
   QWidget* replayBar_ = nullptr;
+  bool closesToWelcomePage_ = false;
   std::unique_ptr<WindowMemory> memory_;  ///< null: the window remembers nothing
 };
 

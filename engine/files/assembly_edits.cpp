@@ -18,7 +18,8 @@ Diagnostic refusal(const Location& location, const Message& reason, const Messag
 Location placeOf(const std::string& bodyId) { return {GLISSADE_TEXT("body '%1'"), {bodyId}}; }
 
 Diagnostic noSuchBody(const std::string& id) {
-  return refusal(placeOf(id), GLISSADE_TEXT("there is no such body"), GLISSADE_TEXT("Choose one of the scene panel."));
+  return refusal(placeOf(id), GLISSADE_TEXT("there is no such body"),
+                 GLISSADE_TEXT("Choose one of the panel Product."));
 }
 
 std::vector<BodyDescription>::iterator findBody(const std::string& id, Scenario& scenario) {
@@ -127,6 +128,21 @@ Outcome removeBody(const std::string& bodyId, Scenario& scenario) {
   dropUnknownNodes(scenario);
   dropUnusedAssets(scenario);
   return Done{};
+}
+
+Outcome renameBody(const std::string& bodyId, const std::string& name, Scenario& scenario) {
+  if (name.empty() || name.find('/') != std::string::npos)
+    return refusal(placeOf(bodyId), {GLISSADE_TEXT("cannot have the name '%1'"), {name}},
+                   GLISSADE_TEXT("Give a name without '/'."));
+  for (std::vector<BodyDescription>* bodies : {&scenario.object.bodies, &scenario.bodies}) {
+    for (BodyDescription& body : *bodies) {
+      if (body.id != bodyId) continue;
+      const std::size_t assemblies = body.name.rfind('/');
+      body.name = (assemblies == std::string::npos ? "" : body.name.substr(0, assemblies + 1)) + name;
+      return Done{};
+    }
+  }
+  return noSuchBody(bodyId);
 }
 
 Outcome leaveOut(const std::string& bodyId, Scenario& scenario) {

@@ -33,6 +33,10 @@ Outcome removeBody(const std::string& bodyId, Scenario& scenario);
 Outcome leaveOut(const std::string& bodyId, Scenario& scenario);
 Outcome putBack(const std::string& bodyId, Scenario& scenario);
 
+/// Renames a body; the assemblies of the product that contain it stay. Error: an empty name, or one with "/", which
+/// separates assemblies.
+Outcome renameBody(const std::string& bodyId, const std::string& name, Scenario& scenario);
+
 /// An edit of a body of the scenario, by its id.
 using BodyEdit = Outcome (*)(const std::string& bodyId, Scenario& scenario);
 

@@ -66,19 +66,27 @@ std::unique_ptr<OperatorDevice> makeHand(const DeviceContext& context) {
 }
 
 DeviceEntry held(Member member, std::string id, CatalogueText label, CatalogueText description) {
-  return {std::move(id), label, description, false,
+  return {std::move(id),
+          label,
+          description,
+          false,
           [member](const DeviceContext& context) -> std::unique_ptr<OperatorDevice> {
             if (!context.hand) return nullptr;
             return amongObstacles(context, std::make_unique<ShapedDevice>(context.hand, (*context.hand).*member));
-          }};
+          },
+          [member](HandInputs& hand) { return (hand.*member).mailbox.reading().connected; }};
 }
 
 DeviceEntry tracked(ControllerSide side, std::string id, CatalogueText label, CatalogueText description) {
-  return {std::move(id), label, description, false,
+  return {std::move(id),
+          label,
+          description,
+          false,
           [side](const DeviceContext& context) -> std::unique_ptr<OperatorDevice> {
             if (!context.hand || !context.world) return nullptr;
             return amongObstacles(context, std::make_unique<GraspingHand>(context.hand, side, context.world));
-          }};
+          },
+          [side](HandInputs& hand) { return hand.controller(side).buttons.mailbox.reading().connected; }};
 }
 
 DeviceEntry simulated(const OperatorLevel& level, CatalogueText label, CatalogueText description) {
@@ -106,7 +114,7 @@ const DeviceEntry* DeviceRegistry::find(std::string_view id) const {
 
 DeviceRegistry makeDeviceRegistry() {
   DeviceRegistry registry;
-  registry.add({"hand", GLISSADE_TEXT("By hand"),
+  registry.add({kAnyDevice, GLISSADE_TEXT("My hand"),
                 GLISSADE_TEXT("A person: keys, 6D mouse, gamepad and the controllers of a headset together."), false,
                 makeHand});
   registry.add(held(&HandInputs::keyboard, "keyboard", GLISSADE_TEXT("Keyboard"),

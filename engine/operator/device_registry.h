@@ -23,6 +23,9 @@ struct DeviceContext {
   bool realTime = false;    ///< time advances by itself, so that a haptic device gets its loop
 };
 
+/// The device "hand": all that a person holds together.
+inline constexpr const char* kAnyDevice = "hand";
+
 /// Name and factory of a device. Registered by explicit calls.
 struct DeviceEntry {
   std::string id;
@@ -31,6 +34,8 @@ struct DeviceEntry {
   bool simulated = false;  ///< needs no person, so that it may run in lockstep
   /// Makes the device; null where the context lacks what the device needs.
   std::function<std::unique_ptr<OperatorDevice>(const DeviceContext&)> make;
+  /// Whether the device that a person holds is connected now.
+  std::function<bool(HandInputs&)> connected = [](HandInputs&) { return true; };
 };
 
 class DeviceRegistry {

@@ -41,9 +41,9 @@ PlannerEntry multiLayer(const std::string& id, CatalogueText label, CatalogueTex
 
 void addFirstPapersPlanners(PlannerRegistry& registry) {
   registry.add(interactive(
-      "contact-birrt", GLISSADE_TEXT("Interactive with contact (paper)"),
-      GLISSADE_TEXT("You steer the object and the computer searches with you; near an obstacle the object slides "
-                    "on it (Blin et al. 2016, Algorithm 1)."),
+      "contact-birrt", GLISSADE_TEXT("Interactive with contact"),
+      GLISSADE_TEXT("Algorithm 1 as printed (Blin et al. 2016): you steer the object and the computer searches with "
+                    "you; near an obstacle the object slides on it."),
       OperatorUse::GuideAndContact));
   registry.add(interactive("birrt", GLISSADE_TEXT("RRT-Connect"),
                            GLISSADE_TEXT("The computer alone: two trees that grow towards each other, with contact "
@@ -60,13 +60,13 @@ void addOmplPlanners(PlannerRegistry& registry) {
   };
   add("ompl-rrtconnect", GLISSADE_TEXT("RRT-Connect (OMPL)"),
       GLISSADE_TEXT("Two trees that grow towards each other (Kuffner and LaValle 2000)."), OmplAlgorithm::RrtConnect);
-  add("ompl-bkpiece", GLISSADE_TEXT("BKPIECE (OMPL)"),
-      GLISSADE_TEXT("Two trees that grow from the border of the cells explored (Sucan and Kavraki 2009)."),
+  add("ompl-bkpiece", GLISSADE_TEXT("BKPIECE"),
+      GLISSADE_TEXT("Two trees that grow from the border of the cells explored (Sucan and Kavraki 2009), of OMPL."),
       OmplAlgorithm::Bkpiece);
-  add("ompl-prm", GLISSADE_TEXT("PRM (OMPL)"), GLISSADE_TEXT("A roadmap of the whole space (Kavraki et al. 1996)."),
+  add("ompl-prm", GLISSADE_TEXT("PRM"), GLISSADE_TEXT("A roadmap of the whole space (Kavraki et al. 1996), of OMPL."),
       OmplAlgorithm::Prm);
-  add("ompl-est", GLISSADE_TEXT("EST (OMPL)"),
-      GLISSADE_TEXT("One tree that grows where it is sparse (Hsu et al. 1999)."), OmplAlgorithm::Est);
+  add("ompl-est", GLISSADE_TEXT("EST"),
+      GLISSADE_TEXT("One tree that grows where it is sparse (Hsu et al. 1999), of OMPL."), OmplAlgorithm::Est);
 }
 
 }  // namespace
@@ -146,24 +146,24 @@ PlannerRegistry allWholePlanners() {
                            GLISSADE_TEXT("As the papers' software of 2016: near an obstacle contact sampling comes "
                                          "before the draw by computer share."),
                            OperatorUse::ContactFirst));
-  registry.add({"g", GLISSADE_TEXT("RRT (G)"),
+  registry.add({"g", GLISSADE_TEXT("G"),
                 GLISSADE_TEXT("One RRT in the whole workspace (Cailhol et al. 2019, section 6.1)."), false, false,
                 [](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
                   return std::make_unique<Rrt>(problem, seed, Rrt::Limit::GlobalSamples);
                 }});
   registry.add(multiLayer(
-      "gt", GLISSADE_TEXT("Shortest path through places (GT)"),
+      "gt", GLISSADE_TEXT("GT"),
       GLISSADE_TEXT("The shortest path through the places, RRT in each of them (Cailhol et al. 2019, section 6.1).")));
-  registry.add(multiLayer("gts1", GLISSADE_TEXT("Places: holes of the same shape (GTS1)"),
+  registry.add(multiLayer("gts1", GLISSADE_TEXT("GTS1"),
                           GLISSADE_TEXT("Holes of the object's shape and easy places "
                                         "first (Cailhol et al. 2019, section 6.2).")));
-  registry.add(multiLayer("gts2", GLISSADE_TEXT("Places: holes that fit (GTS2)"),
+  registry.add(multiLayer("gts2", GLISSADE_TEXT("GTS2"),
                           GLISSADE_TEXT("Holes that the object fits and easy places "
                                         "first (Cailhol et al. 2019, section 6.2, table 1).")));
   registry.add(multiLayer("gts", GLISSADE_TEXT("Layers"),
                           GLISSADE_TEXT("Geometry, places and semantics (GTS): the object goes through the passages "
                                         "that it fits best, and takes the next best path where one fails.")));
-  registry.add(multiLayer("own", GLISSADE_TEXT("Places: own rules"), GLISSADE_TEXT("The rules of the scenario.")));
+  registry.add(multiLayer("own", GLISSADE_TEXT("Own rules"), GLISSADE_TEXT("The rules of the scenario.")));
   addOmplPlanners(registry);
   return registry;
 }

@@ -177,19 +177,29 @@ void SessionCore::setParameter(ParameterId id, double value) {
   if (left != tuned) setParameter(ParameterId::Tuning, left);  // the user has set the parameter
 }
 
-/// Sets the edits. An existing path that leads through a place that is forbidden now does not hold any more.
+/// Sets the edits. The reason of a run that failed was about other edits. A path that leads through a place that is
+/// forbidden now does not hold any more, and a refused path is examined again, because a place may be allowed now.
 void SessionCore::setSemantics(const SemanticEditsPtr& edits, const WorkWatch& watch) {
   problem_.scene.edits = edits;
   const bool running = state_ == SessionState::Planning || state_ == SessionState::Paused;
   if (running) logger_.note(edits);
+  if (state_ == SessionState::Failed) {
+    trouble_.reset();
+    state_ = SessionState::Idle;
+  }
+  if (!running && refused_) {
+    examine({refused_->path.points, provenance_}, watch);
+    return;
+  }
   if (!running && !path_) return;  // the forbidden places are computed at the start
+  const bool hadForbidden = forbidden_->regions() != nullptr;
   const Outcome known = forbidByEdits(watch.stop);
   if (!known && running) {
     fail(known.error());
   } else if (!known) {
     trouble_ = known.error();
-  } else if (path_) {
-    withdrawForbiddenPath(watch);
+  } else if (path_ && (hadForbidden || forbidden_->regions())) {
+    certifyAgain(watch);
   }
 }
 
@@ -206,9 +216,16 @@ std::optional<std::string> SessionCore::forbiddenOn(const Path& path) const {
   return regions ? firstForbidden(path.configurations(), *regions) : std::nullopt;
 }
 
-void SessionCore::withdrawForbiddenPath(const WorkWatch& watch) {
-  if (!forbiddenOn(*path_)) return;
-  refused_ = std::make_shared<const PathExamination>(examinePath(path_->points, problem_, parameters_, watch));
+/// Certifies the path among the present forbidden places, which its certificate states; a path that leads through one is
+/// withdrawn.
+void SessionCore::certifyAgain(const WorkWatch& watch) {
+  PathExamination examination = examinePath(path_->points, problem_, parameters_, watch);
+  if (!examination.complete) return;
+  if (examination.holds()) {
+    path_ = std::make_shared<const Path>(std::move(examination.path));
+    return;
+  }
+  refused_ = std::make_shared<const PathExamination>(std::move(examination));
   path_ = planned_ = nullptr;
   smoothed_ = false;
   if (state_ == SessionState::Solved) state_ = SessionState::Idle;

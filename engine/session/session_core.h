@@ -109,7 +109,7 @@ class SessionCore {
   void setSemantics(const SemanticEditsPtr& edits, const WorkWatch& watch);
   Outcome forbidByEdits(const StopToken& stop);
   std::optional<std::string> forbiddenOn(const Path& path) const;
-  void withdrawForbiddenPath(const WorkWatch& watch);
+  void certifyAgain(const WorkWatch& watch);
   void setPlanner(const std::string& id);
   void setParameter(ParameterId id, double value);
   void smoothPath(int attempts, const WorkWatch& watch);

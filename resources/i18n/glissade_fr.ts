@@ -48,10 +48,6 @@
         <translation>La surface contient l&apos;objet à chaque instant du chemin, et n&apos;en est nulle part plus éloignée que la borne indiquée.</translation>
     </message>
     <message>
-        <source>The panel Difficulty lists the smallest distance between the two trees, the bodies between them, and how much more room the object needs.</source>
-        <translation>Le panneau Difficulté énumère la plus petite distance entre les deux arbres, les corps entre eux, et la place qui manque à l&apos;objet.</translation>
-    </message>
-    <message>
         <source>Every run is recorded with its seed, its parameters and what the operator did. The replay gives the same roadmap, node by node.</source>
         <translation>Chaque calcul est enregistré avec sa graine, ses paramètres et ce que l&apos;opérateur a fait. La relecture donne le même graphe, nœud par nœud.</translation>
     </message>
@@ -87,6 +83,10 @@
         <source>Several ways to hold the part or its tool are tried, with the wrist bent in six ways. Hand, forearm and tool are sampled along the motion: this is no proof. Measures of the hand are those of ANSUR II.</source>
         <translation>Plusieurs prises de la pièce ou de son outil sont essayées, avec six flexions du poignet. La main, l&apos;avant-bras et l&apos;outil sont vérifiés par échantillons le long du mouvement : ce n&apos;est pas une preuve. Les mesures de la main sont celles d&apos;ANSUR II.</translation>
     </message>
+    <message>
+        <source>The panel Path &gt; Why not lists the smallest distance between the two trees, the bodies between them, and how much more room the object needs.</source>
+        <translation>Le panneau Chemin &gt; Pourquoi non énumère la plus petite distance entre les deux arbres, les corps entre eux, et la place qui manque à l&apos;objet.</translation>
+    </message>
 </context>
 <context>
     <name>Actions</name>
@@ -97,10 +97,6 @@
     <message>
         <source>Remove</source>
         <translation>Supprimer</translation>
-    </message>
-    <message>
-        <source>Bring the section planes to the front</source>
-        <translation>Mettre les plans de coupe au premier plan</translation>
     </message>
     <message>
         <source>Play the path again when its end is reached</source>
@@ -397,10 +393,6 @@
     <message>
         <source>Bring the list of bodies to the front</source>
         <translation>Mettre la liste des corps au premier plan</translation>
-    </message>
-    <message>
-        <source>Bring the editor of semantic attributes to the front</source>
-        <translation>Mettre l&apos;éditeur des attributs sémantiques au premier plan</translation>
     </message>
     <message>
         <source>Bring the figures of the run to the front</source>
@@ -887,10 +879,6 @@
         <translation>Déplacer l&apos;objet le long du chemin de moindre pénétration, ou suspendre la lecture</translation>
     </message>
     <message>
-        <source>Hide the selected obstacles; planning still takes them into account</source>
-        <translation>Masquer les obstacles sélectionnés&#xa0;; la planification en tient toujours compte</translation>
-    </message>
-    <message>
         <source>Make a scenario from STEP, mesh or URDF files, with one moving part</source>
         <translation>Créer un scénario à partir de fichiers STEP, de maillages ou URDF, avec une pièce manipulée</translation>
     </message>
@@ -1017,10 +1005,6 @@
     <message>
         <source>New seed</source>
         <translation>Nouvelle graine</translation>
-    </message>
-    <message>
-        <source>&amp;Section panel</source>
-        <translation>Pann&amp;eau Coupe</translation>
     </message>
     <message>
         <source>Show the &amp;tightest place</source>
@@ -1179,20 +1163,8 @@
         <translation>&amp;Région d&apos;une étape</translation>
     </message>
     <message>
-        <source>S&amp;cene panel</source>
-        <translation>Pa&amp;nneau Scène</translation>
-    </message>
-    <message>
-        <source>Se&amp;mantics panel</source>
-        <translation>Panneau Sé&amp;mantique</translation>
-    </message>
-    <message>
         <source>&amp;Run panel</source>
         <translation>Panneau &amp;Calcul</translation>
-    </message>
-    <message>
-        <source>&amp;Plan panel</source>
-        <translation>&amp;Panneau Plan</translation>
     </message>
     <message>
         <source>Pa&amp;th panel</source>
@@ -1269,10 +1241,6 @@
     <message>
         <source>&amp;Reset the layout</source>
         <translation>&amp;Rétablir la disposition</translation>
-    </message>
-    <message>
-        <source>&amp;Difficulty panel</source>
-        <translation>Panneau &amp;Difficulté</translation>
     </message>
     <message>
         <source>Arra&amp;nge with the mouse</source>
@@ -1369,10 +1337,6 @@
     <message>
         <source>&amp;Orthographic projection</source>
         <translation>Projection &amp;orthographique</translation>
-    </message>
-    <message>
-        <source>Pat&amp;hs panel</source>
-        <translation>Panneau &amp;Gardés</translation>
     </message>
     <message>
         <source>&amp;Log panel</source>
@@ -2445,6 +2409,118 @@
     <message>
         <source>Done</source>
         <translation>Terminé</translation>
+    </message>
+    <message>
+        <source>&amp;Assembly</source>
+        <translation>&amp;Assemblage</translation>
+    </message>
+    <message>
+        <source>Show the panels for products: their bodies and the sequence</source>
+        <translation>Affiche les panneaux des produits&#xa0;: leurs corps et la séquence</translation>
+    </message>
+    <message>
+        <source>workspace layout product</source>
+        <translation>espace de travail disposition produit</translation>
+    </message>
+    <message>
+        <source>&amp;Path planning</source>
+        <translation>&amp;Planification de chemin</translation>
+    </message>
+    <message>
+        <source>Show the panels for one motion: its strategy, its run and its path</source>
+        <translation>Affiche les panneaux d&apos;un mouvement&#xa0;: sa stratégie, son calcul et son chemin</translation>
+    </message>
+    <message>
+        <source>Path planning</source>
+        <translation>Chemin</translation>
+    </message>
+    <message>
+        <source>workspace layout motion</source>
+        <translation>espace de travail disposition mouvement</translation>
+    </message>
+    <message>
+        <source>&amp;Study</source>
+        <translation>É&amp;tude</translation>
+    </message>
+    <message>
+        <source>Show all panels of a run, the bodies and the log, for research</source>
+        <translation>Affiche tous les panneaux d&apos;un calcul, les corps et le journal, pour la recherche</translation>
+    </message>
+    <message>
+        <source>workspace layout research</source>
+        <translation>espace de travail disposition recherche</translation>
+    </message>
+    <message>
+        <source>&amp;Bodies panel</source>
+        <translation>Panneau C&amp;orps</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>Fer&amp;mer</translation>
+    </message>
+    <message>
+        <source>Close the scenario and show the welcome page</source>
+        <translation>Ferme le scénario et affiche la page d&apos;accueil</translation>
+    </message>
+    <message>
+        <source>New &amp;window</source>
+        <translation>No&amp;uvelle fenêtre</translation>
+    </message>
+    <message>
+        <source>Open another window, for another scenario</source>
+        <translation>Ouvre une autre fenêtre, pour un autre scénario</translation>
+    </message>
+    <message>
+        <source>&amp;Kept paths panel</source>
+        <translation>Panneau Chemins co&amp;nservés</translation>
+    </message>
+    <message>
+        <source>Pla&amp;ces panel</source>
+        <translation>Panneau L&amp;ieux</translation>
+    </message>
+    <message>
+        <source>Bring the places and the attributes to the front</source>
+        <translation>Met les lieux et les attributs au premier plan</translation>
+    </message>
+    <message>
+        <source>Coarse &amp;plan panel</source>
+        <translation>Panneau Plan &amp;grossier</translation>
+    </message>
+    <message>
+        <source>R&amp;ename...</source>
+        <translation>Re&amp;nommer...</translation>
+    </message>
+    <message>
+        <source>Give the selected body another name (F2 in the list of bodies)</source>
+        <translation>Donne un autre nom au corps sélectionné (F2 dans la liste des corps)</translation>
+    </message>
+    <message>
+        <source>Pr&amp;operties</source>
+        <translation>Pr&amp;opriétés</translation>
+    </message>
+    <message>
+        <source>Show the attributes of what is selected: class, mass, mobility</source>
+        <translation>Affiche les attributs de la sélection&#xa0;: classe, masse, mobilité</translation>
+    </message>
+    <message>
+        <source>attributes mass material class</source>
+        <translation>attributs masse matériau classe</translation>
+    </message>
+    <message>
+        <source>Hide the selected obstacles (also H); planning still takes them into account</source>
+        <translation>Masquer les obstacles sélectionnés (aussi H)&#xa0;; la planification en tient toujours compte</translation>
+    </message>
+    <message>
+        <source>&amp;Why not panel</source>
+        <translation>Panneau Po&amp;urquoi non</translation>
+    </message>
+    <message>
+        <source>&amp;Section bar</source>
+        <translation>&amp;Barre des coupes</translation>
+    </message>
+    <message>
+        <source>Show the bar of the section planes</source>
+        <translation>Affiche la barre des plans de coupe</translation>
     </message>
 </context>
 <context>
@@ -8027,10 +8103,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>a une balise ou un attribut sans nom</translation>
     </message>
     <message>
-        <source>By hand</source>
-        <translation>À la main</translation>
-    </message>
-    <message>
         <source>A person: keys, 6D mouse, gamepad and the controllers of a headset together.</source>
         <translation>Une personne&#xa0;: clavier, souris 6D, manette de jeu et manettes d&apos;un casque ensemble.</translation>
     </message>
@@ -8391,14 +8463,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Réduisez %1, ou planifiez avec «&#xa0;auto&#xa0;».</translation>
     </message>
     <message>
-        <source>Interactive with contact (paper)</source>
-        <translation>Interactif avec contact (article)</translation>
-    </message>
-    <message>
-        <source>You steer the object and the computer searches with you; near an obstacle the object slides on it (Blin et al. 2016, Algorithm 1).</source>
-        <translation>Vous guidez l&apos;objet et l&apos;ordinateur cherche avec vous&#xa0;; près d&apos;un obstacle, l&apos;objet glisse dessus (Blin et al. 2016, algorithme 1).</translation>
-    </message>
-    <message>
         <source>RRT-Connect</source>
         <translation>RRT-Connect</translation>
     </message>
@@ -8413,30 +8477,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>Two trees that grow towards each other (Kuffner and LaValle 2000).</source>
         <translation>Deux arbres qui croissent l&apos;un vers l&apos;autre (Kuffner et LaValle 2000).</translation>
-    </message>
-    <message>
-        <source>BKPIECE (OMPL)</source>
-        <translation>BKPIECE (OMPL)</translation>
-    </message>
-    <message>
-        <source>Two trees that grow from the border of the cells explored (Sucan and Kavraki 2009).</source>
-        <translation>Deux arbres qui croissent depuis le bord des cellules explorées (Sucan et Kavraki 2009).</translation>
-    </message>
-    <message>
-        <source>PRM (OMPL)</source>
-        <translation>PRM (OMPL)</translation>
-    </message>
-    <message>
-        <source>A roadmap of the whole space (Kavraki et al. 1996).</source>
-        <translation>Un graphe de tout l&apos;espace (Kavraki et al. 1996).</translation>
-    </message>
-    <message>
-        <source>EST (OMPL)</source>
-        <translation>EST (OMPL)</translation>
-    </message>
-    <message>
-        <source>One tree that grows where it is sparse (Hsu et al. 1999).</source>
-        <translation>Un arbre qui croît là où il est peu dense (Hsu et al. 1999).</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is a planner for comparison, which only glissade-cli has</source>
@@ -8487,32 +8527,16 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Comme le logiciel des articles en 2016&#xa0;: près d&apos;un obstacle, les échantillons de contact passent avant le tirage selon la part de l&apos;ordinateur.</translation>
     </message>
     <message>
-        <source>RRT (G)</source>
-        <translation>RRT (G)</translation>
-    </message>
-    <message>
         <source>One RRT in the whole workspace (Cailhol et al. 2019, section 6.1).</source>
         <translation>Un RRT dans tout l&apos;espace de travail (Cailhol et al. 2019, section 6.1).</translation>
-    </message>
-    <message>
-        <source>Shortest path through places (GT)</source>
-        <translation>Plus court chemin par les lieux (GT)</translation>
     </message>
     <message>
         <source>The shortest path through the places, RRT in each of them (Cailhol et al. 2019, section 6.1).</source>
         <translation>Le chemin le plus court à travers les lieux, un RRT dans chacun (Cailhol et al. 2019, section 6.1).</translation>
     </message>
     <message>
-        <source>Places: holes of the same shape (GTS1)</source>
-        <translation>Lieux&#xa0;: trous de même forme (GTS1)</translation>
-    </message>
-    <message>
         <source>Holes of the object&apos;s shape and easy places first (Cailhol et al. 2019, section 6.2).</source>
         <translation>D&apos;abord les trous de la forme de l&apos;objet et les lieux faciles (Cailhol et al. 2019, section 6.2).</translation>
-    </message>
-    <message>
-        <source>Places: holes that fit (GTS2)</source>
-        <translation>Lieux&#xa0;: trous qui conviennent (GTS2)</translation>
     </message>
     <message>
         <source>Holes that the object fits and easy places first (Cailhol et al. 2019, section 6.2, table 1).</source>
@@ -8525,10 +8549,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>Geometry, places and semantics (GTS): the object goes through the passages that it fits best, and takes the next best path where one fails.</source>
         <translation>Géométrie, lieux et sémantique (GTS)&#xa0;: l&apos;objet prend les passages qui lui conviennent le mieux, et le meilleur chemin suivant quand l&apos;un échoue.</translation>
-    </message>
-    <message>
-        <source>Places: own rules</source>
-        <translation>Lieux&#xa0;: règles propres</translation>
     </message>
     <message>
         <source>The rules of the scenario.</source>
@@ -9101,10 +9121,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>there is no such body</source>
         <translation>ce corps n&apos;existe pas</translation>
-    </message>
-    <message>
-        <source>Choose one of the scene panel.</source>
-        <translation>Choisissez-en un dans le panneau Scène.</translation>
     </message>
     <message>
         <source>this is not a position in space</source>
@@ -11406,6 +11422,74 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <source>it is oriented and names no shell</source>
         <translation>elle est orientée et ne nomme aucune coque</translation>
     </message>
+    <message>
+        <source>Choose one of the panel Product.</source>
+        <translation>Choisissez-en un dans le panneau Produit.</translation>
+    </message>
+    <message>
+        <source>cannot have the name &apos;%1&apos;</source>
+        <translation>ne peut pas porter le nom «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>Give a name without &apos;/&apos;.</source>
+        <translation>Donnez un nom sans «&#xa0;/&#xa0;».</translation>
+    </message>
+    <message>
+        <source>My hand</source>
+        <translation>Ma main</translation>
+    </message>
+    <message>
+        <source>Interactive with contact</source>
+        <translation>Interactif avec contact</translation>
+    </message>
+    <message>
+        <source>Algorithm 1 as printed (Blin et al. 2016): you steer the object and the computer searches with you; near an obstacle the object slides on it.</source>
+        <translation>Algorithme 1 tel qu&apos;imprimé (Blin et al. 2016)&#xa0;: vous dirigez l&apos;objet et l&apos;ordinateur cherche avec vous&#xa0;; près d&apos;un obstacle, l&apos;objet glisse sur celui-ci.</translation>
+    </message>
+    <message>
+        <source>BKPIECE</source>
+        <translation>BKPIECE</translation>
+    </message>
+    <message>
+        <source>Two trees that grow from the border of the cells explored (Sucan and Kavraki 2009), of OMPL.</source>
+        <translation>Deux arbres qui croissent depuis le bord des cellules explorées (Sucan et Kavraki 2009), d&apos;OMPL.</translation>
+    </message>
+    <message>
+        <source>PRM</source>
+        <translation>PRM</translation>
+    </message>
+    <message>
+        <source>A roadmap of the whole space (Kavraki et al. 1996), of OMPL.</source>
+        <translation>Une carte de tout l&apos;espace (Kavraki et al. 1996), d&apos;OMPL.</translation>
+    </message>
+    <message>
+        <source>EST</source>
+        <translation>EST</translation>
+    </message>
+    <message>
+        <source>One tree that grows where it is sparse (Hsu et al. 1999), of OMPL.</source>
+        <translation>Un arbre qui croît là où il est clairsemé (Hsu et al. 1999), d&apos;OMPL.</translation>
+    </message>
+    <message>
+        <source>G</source>
+        <translation>G</translation>
+    </message>
+    <message>
+        <source>GT</source>
+        <translation>GT</translation>
+    </message>
+    <message>
+        <source>GTS1</source>
+        <translation>GTS1</translation>
+    </message>
+    <message>
+        <source>GTS2</source>
+        <translation>GTS2</translation>
+    </message>
+    <message>
+        <source>Own rules</source>
+        <translation>Règles propres</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -11737,10 +11821,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Regarder une étape</translation>
     </message>
     <message>
-        <source>Click a row of the table in the panel Plan (Alt+4). Each row is a step through one place, with the planner that found it. The scene marks the place of the step, and its attributes can be changed in the panel Semantics.</source>
-        <translation>Cliquez une ligne du tableau dans le panneau Plan (Alt+4). Chaque ligne est la traversée d&apos;un lieu, avec le planificateur qui l&apos;a trouvée. La scène marque le lieu de l&apos;étape, et ses attributs se modifient dans le panneau Sémantique.</translation>
-    </message>
-    <message>
         <source>Open parts</source>
         <translation>Ouvrir des pièces</translation>
     </message>
@@ -11755,10 +11835,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>See the fits</source>
         <translation>Voir les ajustements</translation>
-    </message>
-    <message>
-        <source>Choose Assembly &gt; Find fits (Ctrl+I). The parts touch, as most CAD parts do. The panel Fits lists the pairs, with gap and allowance: the moving part is that much thinner against the other one. A click on a row marks the two parts.</source>
-        <translation>Choisissez Assemblage &gt; Chercher les ajustements (Ctrl+I). Les pièces se touchent, comme la plupart des pièces CAO. Le panneau Ajustements énumère les paires, avec écart et amincissement&#xa0;: la pièce manipulée est d&apos;autant plus mince face à l&apos;autre. Un clic sur une ligne marque les deux pièces.</translation>
     </message>
     <message>
         <source>Remove a part</source>
@@ -11785,10 +11861,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Écrire la gamme de montage</translation>
     </message>
     <message>
-        <source>In the list of strategies (panel Interaction), choose Advanced, then Shortest path through places (GT), and press Find path (F5). The path leads through the slot P6, which is too narrow, and the run ends there: the panel Plan says where and why.</source>
-        <translation>Dans la liste des stratégies (panneau Interaction), choisissez Avancées, puis Plus court chemin par les lieux (GT), et appuyez sur Chercher un chemin (F5). Le chemin passe par la fente P6, qui est trop étroite, et le calcul s&apos;y termine&#xa0;: le panneau Plan dit où et pourquoi.</translation>
-    </message>
-    <message>
         <source>Choose the strategy Layers and press Find path (F5). It knows that the object does not fit through the slot and goes through P5. The path that it finds is certified free of penetration.</source>
         <translation>Choisissez la stratégie Couches et appuyez sur Chercher un chemin (F5). Elle sait que l&apos;objet ne passe pas par la fente, et passe par P5. Le chemin trouvé est certifié sans pénétration.</translation>
     </message>
@@ -11799,6 +11871,18 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>The slider Explode in the panel Sequence moves the parts apart, in the order of removal. Choose Assembly &gt; Sequence &gt; Save the sequence (Ctrl+Alt+E) and a name that ends in .html or .pdf: a work instruction with a picture of each step. Shift+F1 explains anything in the window; Ctrl+K finds any command.</source>
         <translation>Le curseur Éclater du panneau Séquence écarte les pièces, dans l&apos;ordre du démontage. Choisissez Assemblage &gt; Séquence &gt; Enregistrer la séquence (Ctrl+Alt+E) et un nom qui finit par .html ou .pdf&#xa0;: une gamme de montage avec une image de chaque étape. Maj+F1 explique tout dans la fenêtre&#xa0;; Ctrl+K trouve toute commande.</translation>
+    </message>
+    <message>
+        <source>In the list of strategies (panel Interaction), choose Research, then GT, and press Find path (F5). The path leads through the slot P6, which is too narrow, and the run ends there: the panel Run &gt; Coarse plan says where and why.</source>
+        <translation>Dans la liste des stratégies (panneau Interaction), choisissez Recherche, puis GT, et appuyez sur Chercher un chemin (F5). Le chemin passe par la fente P6, qui est trop étroite, et le calcul s&apos;y termine&#xa0;: le panneau Calcul &gt; Plan grossier dit où et pourquoi.</translation>
+    </message>
+    <message>
+        <source>Click a row of the table in the panel Run &gt; Coarse plan (Alt+4). Each row is a step through one place, with the planner that found it. The scene marks the place of the step, and its attributes can be changed in the panel Product &gt; Places (Alt+2).</source>
+        <translation>Cliquez une ligne du tableau dans le panneau Calcul &gt; Plan grossier (Alt+4). Chaque ligne est la traversée d&apos;un lieu, avec le planificateur qui l&apos;a trouvée. La scène marque le lieu de l&apos;étape, et ses attributs se modifient dans le panneau Produit &gt; Lieux (Alt+2).</translation>
+    </message>
+    <message>
+        <source>Choose Assembly &gt; Find fits (Ctrl+I). The parts touch, as most CAD parts do. The panel Contacts &gt; Fits lists the pairs, with gap and allowance: the moving part is that much thinner against the other one. A click on a row marks the two parts.</source>
+        <translation>Choisissez Assemblage &gt; Chercher les ajustements (Ctrl+I). Les pièces se touchent, comme la plupart des pièces CAO. Le panneau Contacts &gt; Ajustements énumère les paires, avec écart et amincissement&#xa0;: la pièce manipulée est d&apos;autant plus mince face à l&apos;autre. Un clic sur une ligne marque les deux pièces.</translation>
     </message>
 </context>
 <context>
@@ -11893,10 +11977,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>The recorded run that is replayed, step by step.</source>
         <translation>L&apos;enregistrement que l&apos;on relit, pas à pas.</translation>
-    </message>
-    <message>
-        <source>The scene. Drag to orbit, middle-drag to pan, wheel to zoom, double-click to fit. A click selects a body, or a place while places are shown. The right button opens a menu. Keys move the object (Ctrl+F1 lists them).</source>
-        <translation>La scène. Bouton gauche&#xa0;: tourner&#xa0;; bouton du milieu&#xa0;: déplacer&#xa0;; molette&#xa0;: zoomer&#xa0;; double clic&#xa0;: cadrer. Un clic sélectionne un corps, ou un lieu quand les lieux sont affichés. Le bouton droit ouvre un menu. Les touches déplacent l&apos;objet (Ctrl+F1 les énumère).</translation>
     </message>
     <message>
         <source>What can be opened: new parts, recent files and samples.</source>
@@ -12105,6 +12185,18 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>How they are joined: screw, nut, thread, insert, pin, snap, flexible, permanent, unit.</source>
         <translation>Comment ils sont liés&#xa0;: vis, écrou, filetage, insert, goupille, clip, souple, permanente, unité.</translation>
+    </message>
+    <message>
+        <source>The product: its bodies, and the places of the free space.</source>
+        <translation>Le produit&#xa0;: ses corps, et les lieux de l&apos;espace libre.</translation>
+    </message>
+    <message>
+        <source>How the bodies of the product touch, and how they are joined.</source>
+        <translation>Comment les corps du produit se touchent, et comment ils sont liés.</translation>
+    </message>
+    <message>
+        <source>The scene. Drag to orbit, middle-drag to pan, wheel to zoom, double-click to fit. A click selects a body, or a place while places are shown; Ctrl+Shift and a drag select all bodies in a box. The right button opens a menu. Keys move the object (Ctrl+F1 lists them).</source>
+        <translation>La scène. Bouton gauche&#xa0;: tourner&#xa0;; bouton du milieu&#xa0;: déplacer&#xa0;; molette&#xa0;: zoomer&#xa0;; double clic&#xa0;: cadrer. Un clic sélectionne un corps, ou un lieu quand les lieux sont affichés&#xa0;; Ctrl+Maj et un glissement sélectionnent tous les corps dans un rectangle. Le bouton droit ouvre un menu. Les touches déplacent l&apos;objet (Ctrl+F1 les énumère).</translation>
     </message>
 </context>
 <context>
@@ -12425,6 +12517,10 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
             <numerusform>Pièce manipulée&#xa0;: %1 et %n autre</numerusform>
             <numerusform>Pièce manipulée&#xa0;: %1 et %n autres</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>Renommer %1</translation>
     </message>
 </context>
 <context>
@@ -13335,6 +13431,26 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <source>Not saved: %1.</source>
         <translation>Non enregistré&#xa0;: %1.</translation>
     </message>
+    <message>
+        <source>Save a copy of the sample</source>
+        <translation>Enregistrer une copie de l&apos;exemple</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Enregistré&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Keep the path?</source>
+        <translation>Conserver le chemin&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Keep the path of &quot;%1&quot;?</source>
+        <translation>Conserver le chemin de «&#xa0;%1&#xa0;»&#xa0;?</translation>
+    </message>
+    <message>
+        <source>&amp;Keep path</source>
+        <translation>&amp;Conserver le chemin</translation>
+    </message>
 </context>
 <context>
     <name>glissade::FilmJob</name>
@@ -13796,7 +13912,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>The headset has not asked for a picture for seconds. Its program may be busy</source>
-        <translation>Le casque ne demande plus d'image depuis des secondes. Son programme est peut-être occupé</translation>
+        <translation>Le casque ne demande plus d&apos;image depuis des secondes. Son programme est peut-être occupé</translation>
     </message>
     <message>
         <source>The OpenXR runtime refused %1. The headset works without it</source>
@@ -13945,16 +14061,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Cadence</translation>
     </message>
     <message>
-        <source>Advanced…</source>
-        <translation>Avancées…</translation>
-    </message>
-    <message>
-        <source>Shows all strategies</source>
-        <translation>Montre toutes les stratégies</translation>
-    </message>
-    <message>
-        <source>Advanced</source>
-        <translation>Avancées</translation>
+        <source>not connected</source>
+        <translation>non connecté</translation>
     </message>
 </context>
 <context>
@@ -14527,16 +14635,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
 <context>
     <name>glissade::MainWindow</name>
     <message>
-        <source>Section</source>
-        <translation>Coupe</translation>
-    </message>
-    <message>
         <source>Interaction</source>
         <translation>Interaction</translation>
-    </message>
-    <message>
-        <source>Scene</source>
-        <translation>Scène</translation>
     </message>
     <message>
         <source>Run</source>
@@ -14547,28 +14647,12 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Chemin</translation>
     </message>
     <message>
-        <source>Semantics</source>
-        <translation>Sémantique</translation>
-    </message>
-    <message>
-        <source>Plan</source>
-        <translation>Plan</translation>
-    </message>
-    <message>
-        <source>Difficulty</source>
-        <translation>Difficulté</translation>
-    </message>
-    <message>
         <source>Not possible</source>
         <translation>Opération impossible</translation>
     </message>
     <message>
         <source>Fits</source>
         <translation>Ajustements</translation>
-    </message>
-    <message>
-        <source>Paths</source>
-        <translation>Chemins</translation>
     </message>
     <message>
         <source>Log</source>
@@ -14581,6 +14665,42 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>Joints</source>
         <translation>Liaisons</translation>
+    </message>
+    <message>
+        <source>Product</source>
+        <translation>Produit</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Contacts</translation>
+    </message>
+    <message>
+        <source>Bodies</source>
+        <translation>Corps</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Lieux</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Chiffres</translation>
+    </message>
+    <message>
+        <source>Coarse plan</source>
+        <translation>Plan grossier</translation>
+    </message>
+    <message>
+        <source>This path</source>
+        <translation>Ce chemin</translation>
+    </message>
+    <message>
+        <source>Kept paths</source>
+        <translation>Conservés</translation>
+    </message>
+    <message>
+        <source>Why not</source>
+        <translation>Pourquoi non</translation>
     </message>
 </context>
 <context>
@@ -15808,6 +15928,25 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
 </context>
 <context>
+    <name>glissade::ResearchBox</name>
+    <message>
+        <source>Research…</source>
+        <translation>Recherche…</translation>
+    </message>
+    <message>
+        <source>Shows what studies compare, by the names of the literature</source>
+        <translation>Affiche ce que les études comparent, sous les noms de la littérature</translation>
+    </message>
+    <message>
+        <source>Research</source>
+        <translation>Recherche</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+</context>
+<context>
     <name>glissade::ResponseCurve</name>
     <message>
         <source>How the device&apos;s deflection (across) is answered (up); the dot is where it is now</source>
@@ -16062,6 +16201,13 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>%1: part of the product&apos;s file, and not of this product</source>
         <translation>%1&#xa0;: fait partie du fichier du produit, mais pas de ce produit</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::SectionController</name>
+    <message>
+        <source>Sections</source>
+        <translation>Coupes</translation>
     </message>
 </context>
 <context>
@@ -16753,6 +16899,10 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>%1, in its group: %2</source>
         <translation>%1, dans son groupe : %2</translation>
+    </message>
+    <message>
+        <source>of before</source>
+        <translation>d&apos;avant</translation>
     </message>
 </context>
 <context>

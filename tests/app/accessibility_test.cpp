@@ -194,13 +194,10 @@ TEST_P(AccessibilityTest, OfTheWindowAndItsPanels) {
     EXPECT_TRUE(window->workbench().scripts.carryOut(words[0].toStdString(), {words[1].toStdString()}));
   }
   expectNames(*window);
-  for (QDockWidget* dock : window->findChildren<QDockWidget*>()) {
-    dock->show();
-    dock->raise();
-    QApplication::processEvents();
-    EXPECT_FALSE(dock->windowTitle().isEmpty());
-    expectReachedByTab(*dock);
-  }
+  test::forEachPanel(*window, [](QDockWidget& dock) {
+    EXPECT_FALSE(dock.windowTitle().isEmpty());
+    expectReachedByTab(dock);
+  });
 }
 
 TEST_P(AccessibilityTest, OfTheDialogs) {
@@ -266,12 +263,10 @@ std::map<QString, int> leastWidths(MainWindow& window, const Scenario& scenario,
     EXPECT_TRUE(done) << line[0] << " " << line[1] << ": " << toString(done.error());
   }
   std::map<QString, int> widths;
-  for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
-    dock->show();
-    dock->raise();
-    QApplication::processEvents();
-    widths[dock->objectName()] = std::max(dock->minimumSizeHint().width(), dock->minimumWidth());
-  }
+  test::forEachPanel(window, [&widths](const QDockWidget& dock) {
+    int& width = widths[dock.objectName()];
+    width = std::max({width, dock.minimumSizeHint().width(), dock.minimumWidth()});
+  });
   widths[QStringLiteral("whole")] = window.minimumSizeHint().width();
   return widths;
 }
@@ -287,6 +282,7 @@ TEST_P(AccessibilityTest, NoNameWidensAPanel) {
       leastWidths(*window, scenarioWithNames(tail), folder.filePath(QStringLiteral("b.json")), "path" + tail);
   for (const auto& [dock, width] : usual) EXPECT_LE(lengthy.at(dock), width) << dock.toStdString();
   // The size of a screen of 1920 x 1080 pixels at 200 %.
+  window->fitInto({960, 540});
   EXPECT_LE(window->minimumSizeHint().width(), 960);
   EXPECT_LE(window->minimumSizeHint().height(), 540);
 }

@@ -86,13 +86,13 @@ TEST_F(DailyWindow, MeasuresWhatIsClicked) {
   // The view is from the front and orthographic: the blocks are 0.4 m apart, 0.2 m wide and 1 m high.
   expectGood(run(scenarioWithCubeAt(0.0), QStringLiteral("action layer.object\naction layer.ends\n"
                                                          "action view.orthographic\naction view.front\n"
-                                                         "action measure.clearance\nclick 217 470\nclick 388 470\n"
+                                                         "action measure.clearance\nclick 214 466\nclick 382 466\n"
                                                          "expect-measure 400\n"
-                                                         "action measure.distance\nclick 190 329\nclick 416 329\n"
+                                                         "action measure.distance\nclick 187 328\nclick 410 328\n"
                                                          "expect-measure 800\n"
-                                                         "action measure.angle\nclick 217 470\nclick 388 470\n"
+                                                         "action measure.angle\nclick 214 466\nclick 382 466\n"
                                                          "expect-measure 0.00\n"
-                                                         "action measure.radius\nclick 217 470\n"
+                                                         "action measure.radius\nclick 214 466\n"
                                                          "expect-measure cylinder\n")));
 }
 
@@ -100,7 +100,7 @@ TEST_F(DailyWindow, ABodyIsPlacedByAFaceThatIsClicked) {
   expectGood(run(scenarioWithCubeAt(0.0), QStringLiteral("action layer.object\naction layer.ends\n"
                                                          "action view.orthographic\naction view.front\n"
                                                          "expect-placed-by file\naction assembly.pick-frame\n"
-                                                         "click 217 470\nexpect-placed-by Picked\n")));
+                                                         "click 214 466\nexpect-placed-by Picked\n")));
 }
 
 TEST_F(DailyWindow, TheLogTellsRunsAndRefusals) {

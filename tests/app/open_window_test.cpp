@@ -6,6 +6,7 @@
 #include <QDialogButtonBox>
 #include <QDirIterator>
 #include <QElapsedTimer>
+#include <QFileDialog>
 #include <QMessageBox>
 #include <QTemporaryDir>
 #include <QTimer>
@@ -15,6 +16,7 @@
 #include <fstream>
 
 #include "app/window/main_window.h"
+#include "engine/files/scenario_bodies.h"
 #include "engine/import/mesh_import.h"
 #include "tests/engine/support/directories.h"
 #include "tests/widgets/scene3d/unseen_scene.h"
@@ -50,7 +52,7 @@ class OpenWindow : public testing::Test {
  protected:
   OpenWindow() { window.resize(1280, 720); }
 
-  const WorkbenchDocument& document() const { return window.workbench().document; }
+  WorkbenchDocument& document() const { return window.workbench().document; }
 
   /// Waits until neither an edit nor background work has run for a while.
   bool isIdle() {
@@ -67,6 +69,11 @@ class OpenWindow : public testing::Test {
 
   static QString sample() {
     return QString::fromStdString(test::sourceDirectory()) + QStringLiteral("/samples/environment-1/scenario.json");
+  }
+
+  bool moveSomething() {
+    const AssemblyItem item{AssemblyItem::Kind::Body, bodyIdOf(document().scenario()->obstacles.front().id)};
+    return document().place(item, Pose::translation({0.1, 0.2, 0.3})).ok() && isIdle();
   }
 
   /// Answers the next question, and notes its default button.
@@ -106,6 +113,42 @@ TEST_F(OpenWindow, ASampleThatIsOnlyOpenedIsNeverModified) {
     window.show();
   }
   EXPECT_GT(opened, 8);
+}
+
+TEST_F(OpenWindow, AFoundPathIsNoEditAndIsKeptOrDiscarded) {
+  ASSERT_FALSE(window.openScenario(sample(), true));
+  EXPECT_TRUE(isIdle());
+  auto path = std::make_shared<Path>();
+  path->points = {{document().scenario()->problem.start}, {Pose::translation({1, 2, 3})}};
+  document().setResults({path, nullptr, {"auto", 3}, false});
+  EXPECT_FALSE(window.isWindowModified());
+  answer(QMessageBox::Cancel);
+  EXPECT_FALSE(window.close());
+  EXPECT_EQ(questions, 1);
+  EXPECT_EQ(byDefault, QMessageBox::Save) << "Enter keeps the path";
+  answer(QMessageBox::Discard);
+  EXPECT_TRUE(window.close());
+}
+
+TEST_F(OpenWindow, ASampleIsSavedAsACopy) {
+  window.show();
+  ASSERT_FALSE(window.openScenario(sample(), true));
+  EXPECT_TRUE(isIdle());
+  ASSERT_TRUE(moveSomething());
+  EXPECT_TRUE(window.isWindowModified());
+  QString proposed;
+  QTimer look;
+  QObject::connect(&look, &QTimer::timeout, [&] {
+    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+    if (dialog == nullptr) return;
+    look.stop();
+    proposed = dialog->selectedFiles().value(0);
+    dialog->reject();
+  });
+  look.start(5);
+  window.workbench().actions["file.save"]->trigger();
+  EXPECT_TRUE(proposed.endsWith(QStringLiteral("environment-1.json"))) << proposed.toStdString();
+  EXPECT_TRUE(window.isWindowModified());
 }
 
 TEST_F(OpenWindow, AFilmIsNotEndedWithoutAQuestion) {
@@ -170,7 +213,9 @@ TEST_F(PartsInOpenWindow, WhatIsDiscardedLeavesNoStarBehind) {
   createFrom(writeBoxes(2));
   ASSERT_TRUE(QTest::qWaitFor([&] { return document().scenario() != nullptr; }, 20'000));
   EXPECT_TRUE(isIdle());
-  EXPECT_TRUE(window.isWindowModified()) << "it was never saved";
+  EXPECT_FALSE(window.isWindowModified()) << "to look at parts is no edit";
+  ASSERT_TRUE(moveSomething());
+  EXPECT_TRUE(window.isWindowModified());
   answer(QMessageBox::Discard);
   EXPECT_FALSE(window.openScenario(sample()));
   EXPECT_EQ(questions, 1);

@@ -88,17 +88,14 @@ TEST_P(SmallScreenTest, TheWindowAndItsPanelsHaveRoom) {
     ASSERT_EQ(window->openScenario(sample("teaching"), true), std::nullopt);
     QApplication::processEvents();
     window->fitInto(room);
-    for (QDockWidget* dock : window->findChildren<QDockWidget*>()) {
-      dock->show();
-      dock->raise();
-      for (int round = 0; round < 2; ++round) QApplication::processEvents();  // a window that has grown shrinks again
-      SCOPED_TRACE(dock->objectName().toStdString());
+    test::forEachPanel(*window, [&](QDockWidget& dock) {
+      QApplication::processEvents();  // a window that has grown shrinks again
       EXPECT_LE(window->minimumSizeHint().width(), room.width());
       EXPECT_LE(window->minimumSizeHint().height(), room.height());
       EXPECT_LE(window->width(), room.width());
       EXPECT_LE(window->height(), room.height());
-      expectNothingCut(*dock);
-    }
+      expectNothingCut(dock);
+    });
     expectNothingCut(*window);
   }
 }

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QDockWidget>
 #include <QLocale>
+#include <QTabWidget>
 #include <QTranslator>
 #include <memory>
 
@@ -12,9 +14,27 @@
 #include "app/window/theme.h"
 #include "tests/engine/support/directories.h"
 #include "tests/widgets/scene3d/unseen_scene.h"
+#include "widgets/workbench/panel_docks.h"
 #include "widgets/workbench/preferences.h"
 
 namespace glissade::test {
+
+/// Brings each panel of the window to the front, and visits its dock.
+template <class Visit>
+void forEachPanel(QMainWindow& window, Visit visit) {
+  for (QDockWidget* dock : docksInOrder(window)) {
+    auto* tabs = qobject_cast<QTabWidget*>(dock->widget());
+    ASSERT_NE(tabs, nullptr);
+    for (int tab = 0; tab < tabs->count(); ++tab) {
+      tabs->setCurrentIndex(tab);
+      dock->show();
+      dock->raise();
+      QApplication::processEvents();
+      SCOPED_TRACE(tabs->widget(tab)->objectName().toStdString());
+      visit(*dock);
+    }
+  }
+}
 
 /// The parameter is the language: "en" or "fr".
 class WholeWindowTest : public testing::TestWithParam<const char*> {

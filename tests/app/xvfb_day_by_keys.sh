@@ -92,7 +92,9 @@ keys ctrl+j
 saved '"plan"'
 saved "$ended"
 look sequence
-keys Home
+# The first row is now the part that is removed first, which F5 moves.
+keys ctrl+alt+j
+keys alt+9 Home
 look step
 keys ctrl+alt+m
 sleep 2

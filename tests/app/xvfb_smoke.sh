@@ -57,8 +57,8 @@ xdotool key shift+F5
 sleep 0.5
 kill -0 "$window" 2>/dev/null || fail "the program ended"
 xdotool key ctrl+q
-# Where the run has found a path meanwhile, the program asks whether to save it: the second button discards it.
-question() { xdotool search --onlyvisible --name '^Save changes.$' 2>/dev/null | head -n 1; }
+# Where the run has found a path meanwhile, the program asks whether to keep it: the second button discards it.
+question() { xdotool search --onlyvisible --name '^Keep the path.$' 2>/dev/null | head -n 1; }
 for _ in $(seq 100); do
   kill -0 "$window" 2>/dev/null || { echo "passed"; exit 0; }
   asked=$(question)

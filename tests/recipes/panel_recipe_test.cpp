@@ -39,10 +39,8 @@ class PanelRecipe : public testing::Test {
  protected:
   PanelRecipe() {
     window.setCentralWidget(new QWidget(&window));
-    // Every place of the window has a panel.
-    docks.add({QStringLiteral("Left"), "left", new QLabel(&window), DockPlace::Left});
-    docks.add({QStringLiteral("Upper"), "upper", new QLabel(&window), DockPlace::UpperRight});
-    docks.add({QStringLiteral("Volume"), "volume", panel, DockPlace::LowerRight});
+    docks.addDock({QStringLiteral("Figures"), "figures", DockPlace::LowerRight, {Workspace::Assembly}});
+    docks.add({"figures", QStringLiteral("Volume"), "volume", panel});
     docks.orderTabStops();
     docks.arrange();
   }
@@ -56,8 +54,8 @@ class PanelRecipe : public testing::Test {
 
 TEST_F(PanelRecipe, TheNewPanelIsADockAtItsPlace) {
   const QList<QDockWidget*> all = docksInOrder(window);
-  ASSERT_EQ(all.size(), 3);
-  EXPECT_EQ(all.back()->objectName(), QStringLiteral("volume"));
+  ASSERT_EQ(all.size(), 1);
+  EXPECT_EQ(all.back()->objectName(), QStringLiteral("figures"));
   EXPECT_EQ(window.dockWidgetArea(all.back()), Qt::RightDockWidgetArea);
   EXPECT_TRUE(all.back()->isAncestorOf(panel));
 }

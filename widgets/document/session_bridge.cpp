@@ -20,7 +20,7 @@ constexpr CatalogueText kBeginning = GLISSADE_TEXT("preparing the planner");
 SessionBridge::SessionBridge(SessionClock clock, QObject* parent)
     : QObject(parent),
       clock_(clock),
-      deviceId_("hand"),
+      deviceId_(kAnyDevice),
       hand_(clock == SessionClock::RealTime ? std::make_shared<HandInputs>()
                                             : std::make_shared<HandInputs>(std::nullopt)) {
   qRegisterMetaType<SnapshotPtr>();

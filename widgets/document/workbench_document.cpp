@@ -122,7 +122,6 @@ void WorkbenchDocument::open(const ScenarioPtr& scenario) {
     undo_.clear();
     undo_.setClean();  // setClean() has no effect on an empty stack that was not clean
     paths_.open(scenario->scenario.paths);
-    if (scenario->file.empty()) undo_.resetClean();
     semantics_.open(*scenario);
     announce(Changes(kEveryChange));
   });
@@ -397,7 +396,7 @@ void WorkbenchDocument::noteSaved(const std::string& file, const Scenario& conte
   });
 }
 
-bool WorkbenchDocument::isModified() const { return hasUnsavedEdits() || (scenario_ && (unkept_ || hasUnsavedPlan())); }
+bool WorkbenchDocument::isModified() const { return hasUnsavedEdits() || hasUnsavedPlan(); }
 
 bool WorkbenchDocument::hasUnsavedPlan() const { return scenario_ && plan_ != scenario_->scenario.plan; }
 

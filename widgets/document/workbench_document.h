@@ -99,7 +99,7 @@ class WorkbenchDocument final : public QObject {
   /// The undo stack, for observers; its own undo() and redo() do not wait for geometry.
   QUndoStack& undoStack() { return undo_; }
 
-  /// Replaces the whole document. A scenario without a file counts as modified until it is saved. Work that loading has
+  /// Replaces the whole document. Nothing is modified then. Work that loading has
   /// left for later (fits, the world's preparation) is done in the background and announced as a change of the
   /// arrangement; if edits are done at once, it is done when whenArranged() needs it.
   void open(const ScenarioPtr& scenario);
@@ -155,11 +155,11 @@ class WorkbenchDocument final : public QObject {
   Scenario savedContentFor(const std::string& file) const;
   /// Notes that `content` was written into the file, which is the document's from now on.
   void noteSaved(const std::string& file, const Scenario& content);
-  /// Whether saving would change the file. Seed and parameters do not count, because people try them out.
+  /// Whether there are changes to save. Seed, parameters and a path that is not kept are tried out, and do not count.
   bool isModified() const;
   /// Whether the plan differs from the file's.
   bool hasUnsavedPlan() const;
-  /// Whether there are unsaved changes apart from a path that a run found and the plan.
+  /// Whether there are unsaved changes apart from the plan.
   bool hasUnsavedEdits() const;
   /// Whether the file has the present bodies, ends and geometry: a recording that names the file can be replayed then.
   bool isProblemSaved() const;

@@ -99,7 +99,7 @@ void WelcomeCard::drawTexts(QPainter& painter, QRect place) const {
   const QColor ink = entry_.isThere ? palette().color(QPalette::Text) : faint;
   draw(QFontMetrics(bold).elidedText(entry_.name, Qt::ElideRight, place.width()), bold, ink);
   if (entry_.isOneLine) {
-    draw(fontMetrics().elidedText(entry_.text, Qt::ElideMiddle, place.width()), font(), faint);
+    draw(fontMetrics().elidedText(entry_.text, Qt::ElideLeft, place.width()), font(), faint);
     return;
   }
   for (const QString& text : linesOf(entry_.text, font(), place.width(), kTextLines)) draw(text, font(), faint);

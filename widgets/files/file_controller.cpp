@@ -1,8 +1,11 @@
 #include "widgets/files/file_controller.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QProcess>
 #include <QPushButton>
+#include <QStandardPaths>
 #include <QTimer>
 #include <QUrl>
 
@@ -11,10 +14,21 @@
 #include "engine/files/product_name.h"
 #include "engine/study/study_folder.h"
 #include "widgets/controls/plain_message_box.h"
+#include "widgets/files/sample_scenarios.h"
 #include "widgets/files/save_conflict.h"
 #include "widgets/workbench/proposed_file.h"
 
 namespace glissade {
+
+namespace {
+
+/// Whether the file comes with the program.
+bool isSample(const QString& file) {
+  const QString samples = QDir(samplesFolder(QCoreApplication::applicationDirPath())).canonicalPath();
+  return !samples.isEmpty() && QFileInfo(file).canonicalFilePath().startsWith(samples + QLatin1Char('/'));
+}
+
+}  // namespace
 
 FileController::FileController(const Workbench& bench, PartImport& parts, PathController& path)
     : QObject(&bench.window),
@@ -65,7 +79,9 @@ void FileController::connectActions() {
     memory_->forgetFiles();
     emit recentFilesChanged();
   });
-  for (const char* id : {"file.save", "file.save-as", "recent.forget"}) bench_.enable(id, false);
+  bench_.onAction("file.new-window", this,
+                  [] { QProcess::startDetached(QCoreApplication::applicationFilePath(), {}); });
+  for (const char* id : {"file.save", "file.save-as", "file.close", "recent.forget"}) bench_.enable(id, false);
 }
 
 std::optional<Diagnostic> FileController::openScenario(const QString& file, bool quiet, FindFits fits) {
@@ -116,7 +132,7 @@ std::optional<Diagnostic> FileController::saveAs(const QString& file) {
 SaveController* FileController::makeSaves() {
   SaveHost host;
   host.scenario = [this] { return bench_.document.scenario(); };
-  host.isModified = [this] { return bench_.document.isModified(); };
+  host.isModified = [this] { return bench_.document.isModified() || bench_.document.hasUnkeptPath(); };
   host.contentFor = [this](const std::string& file) { return bench_.document.contentFor(file); };
   host.openModified = [this](const ScenarioPtr& scenario) {
     bench_.document.open(scenario);
@@ -162,7 +178,7 @@ void FileController::chooseScenario() {
 
 void FileController::save() {
   const QString file = QString::fromStdString(bench_.document.scenario()->file);
-  if (file.endsWith(QLatin1String(".json"))) {
+  if (file.endsWith(QLatin1String(".json")) && !isSample(file)) {
     trySave(file);
   } else {
     chooseSaveFile();
@@ -172,16 +188,23 @@ void FileController::save() {
 void FileController::chooseSaveFile() {
   const LoadedScenario& scenario = *bench_.document.scenario();
   const QString own = QString::fromStdString(scenario.file);
-  const QString usual = QDir(folder()).filePath(proposedFile(scenario, QStringLiteral(".json")));
-  const QString proposed = own.endsWith(QLatin1String(".json")) ? own : usual;
-  const QString file =
-      bench_.dialogs.save(FilePurpose::Scenario, tr("Save the scenario"), proposed, tr("Scenarios (*.json)"));
+  QString title = tr("Save the scenario");
+  QString proposed = own;
+  if (isSample(own)) {
+    title = tr("Save a copy of the sample");
+    const QDir documents(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+    proposed = documents.filePath(QFileInfo(own).dir().dirName() + QStringLiteral(".json"));
+  } else if (!own.endsWith(QLatin1String(".json"))) {
+    proposed = QDir(folder()).filePath(proposedFile(scenario, QStringLiteral(".json")));
+  }
+  const QString file = bench_.dialogs.save(FilePurpose::Scenario, title, proposed, tr("Scenarios (*.json)"));
   if (!file.isEmpty()) trySave(file);
 }
 
 void FileController::trySave(const QString& file) {
   const SaveResult saved = write(file);
   if (saved) {
+    bench_.messages.showStatus(tr("Saved: %1").arg(QDir::toNativeSeparators(file)));
     if (saved.warnings.empty()) return;
     bench_.messages.showError(tr("The scenario was saved, with a warning"), saved.warnings.front());
     return;
@@ -232,7 +255,8 @@ bool FileController::asksToEndWork() {
 }
 
 bool FileController::asksToDiscard() {
-  if (bench_.messages.isQuiet() || !bench_.document.isModified()) return true;
+  const auto isAllKept = [&document = bench_.document] { return !document.isModified() && !document.hasUnkeptPath(); };
+  if (bench_.messages.isQuiet() || isAllKept()) return true;
   QStringList unsaved;
   if (bench_.document.hasUnsavedEdits()) unsaved << tr("edits");
   if (bench_.document.hasUnkeptPath()) unsaved << tr("the path found");
@@ -240,13 +264,16 @@ bool FileController::asksToDiscard() {
   const LoadedScenario& scenario = *bench_.document.scenario();
   const QString product = QString::fromStdString(nameOfProduct(scenario));
   const QString name = product.isEmpty() ? QFileInfo(QString::fromStdString(scenario.file)).fileName() : product;
-  PlainMessageBox box(QMessageBox::Question, tr("Save changes?"), tr("Save changes to \"%1\"?").arg(name),
+  const bool isEdited = bench_.document.isModified();
+  PlainMessageBox box(QMessageBox::Question, isEdited ? tr("Save changes?") : tr("Keep the path?"),
+                      isEdited ? tr("Save changes to \"%1\"?").arg(name) : tr("Keep the path of \"%1\"?").arg(name),
                       tr("Not saved: %1.").arg(unsaved.join(QStringLiteral(", "))), &bench_.window);
   box.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+  if (!isEdited) box.button(QMessageBox::Save)->setText(tr("&Keep path"));
   box.setDefaultButton(QMessageBox::Save);
   const int answer = box.exec();
   if (answer == QMessageBox::Save) save();
-  return answer == QMessageBox::Discard || !bench_.document.isModified();
+  return answer == QMessageBox::Discard || isAllKept();
 }
 
 /// Fills the menu of recent files. Missing files stay in the list, because a drive may be away for a while.
@@ -307,6 +334,7 @@ void FileController::showTitle() {
   bench_.window.setWindowModified(bench_.document.isModified());
   bench_.enable("file.save", true);
   bench_.enable("file.save-as", true);
+  bench_.enable("file.close", bench_.session.clock() == SessionClock::RealTime);
 }
 
 }  // namespace glissade

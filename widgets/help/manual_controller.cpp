@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QDir>
-#include <QDockWidget>
 #include <QLocale>
 
 #include "widgets/controls/menu_path.h"
@@ -23,13 +22,6 @@ QString manualFolder() {
                                               : programs.absoluteFilePath(QStringLiteral(GLISSADE_MANUAL_FOLDER)));
 }
 
-const QDockWidget* dockOf(const QWidget* widget) {
-  for (; widget != nullptr; widget = widget->parentWidget()) {
-    if (const auto* dock = qobject_cast<const QDockWidget*>(widget)) return dock;
-  }
-  return nullptr;
-}
-
 }  // namespace
 
 ManualFacts manualFacts(const QMainWindow& window, const ActionCatalogue& actions) {
@@ -40,10 +32,9 @@ ManualFacts manualFacts(const QMainWindow& window, const ActionCatalogue& action
     facts.actions.push_back({action->objectName(), commandName(action->text()), menuPath(*action), nativeKeys(action),
                              action->statusTip()});
   }
-  for (const QDockWidget* dock : docksInOrder(window)) {
-    const QAction* action = actions.find(dock->property(kPanelAction).toString());
-    facts.panels.push_back(
-        {dock->objectName(), dock->windowTitle(), action != nullptr ? nativeKeys(action) : QString()});
+  for (const NamedPanel& panel : panelsInOrder(window)) {
+    const QAction* action = actions.find(panel.action);
+    facts.panels.push_back({panel.id, panel.title, action != nullptr ? nativeKeys(action) : QString()});
   }
   facts.steeringRows = KeyboardSteering::keyTable();
   return facts;
@@ -69,8 +60,8 @@ void ManualController::open(const QString& page, const QString& anchor) {
 }
 
 void ManualController::openForPanel() {
-  const QDockWidget* dock = dockOf(QApplication::focusWidget());
-  open(QStringLiteral("panels"), dock != nullptr ? QStringLiteral("panel-") + dock->objectName() : QString());
+  const QWidget* panel = panelOf(QApplication::focusWidget());
+  open(QStringLiteral("panels"), panel != nullptr ? QStringLiteral("panel-") + panel->objectName() : QString());
 }
 
 void ManualController::addCommands() {

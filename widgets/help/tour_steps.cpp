@@ -61,9 +61,9 @@ const std::vector<TourStep>& tourSteps() {
        arePlacesShown},
       {QT_TRANSLATE_NOOP("Tour", "Plan with topology"),
        QT_TRANSLATE_NOOP("Tour",
-                         "In the list of strategies (panel Interaction), choose Advanced, then Shortest path through "
-                         "places (GT), and press Find path (F5). The path leads through the slot P6, which is too "
-                         "narrow, and the run ends there: the panel Plan says where and why."),
+                         "In the list of strategies (panel Interaction), choose Research, then GT, "
+                         "and press Find path (F5). The path leads through the slot P6, which is too "
+                         "narrow, and the run ends there: the panel Run > Coarse plan says where and why."),
        "strategy",
        {"select-strategy gt", "action run.start"},
        hasRunGt},
@@ -76,10 +76,11 @@ const std::vector<TourStep>& tourSteps() {
        {"select-strategy gts", "action run.start"},
        hasSolvedByGts},
       {QT_TRANSLATE_NOOP("Tour", "Look at a step"),
-       QT_TRANSLATE_NOOP("Tour",
-                         "Click a row of the table in the panel Plan (Alt+4). Each row is a step through one place, "
-                         "with the planner that found it. The scene marks the place of the step, and its attributes "
-                         "can be changed in the panel Semantics."),
+       QT_TRANSLATE_NOOP(
+           "Tour",
+           "Click a row of the table in the panel Run > Coarse plan (Alt+4). Each row is a step through one place, "
+           "with the planner that found it. The scene marks the place of the step, and its attributes "
+           "can be changed in the panel Product > Places (Alt+2)."),
        "steps",
        {"select step 2"},
        isStepChosen},
@@ -93,10 +94,11 @@ const std::vector<TourStep>& tourSteps() {
        {"open-sample bolted-brackets/scenario.json"},
        areBracketsOpen},
       {QT_TRANSLATE_NOOP("Tour", "See the fits"),
-       QT_TRANSLATE_NOOP("Tour",
-                         "Choose Assembly > Find fits (Ctrl+I). The parts touch, as most CAD parts do. The panel Fits "
-                         "lists the pairs, with gap and allowance: the moving part is that much thinner against the "
-                         "other one. A click on a row marks the two parts."),
+       QT_TRANSLATE_NOOP(
+           "Tour",
+           "Choose Assembly > Find fits (Ctrl+I). The parts touch, as most CAD parts do. The panel Contacts > Fits "
+           "lists the pairs, with gap and allowance: the moving part is that much thinner against the "
+           "other one. A click on a row marks the two parts."),
        "fits.find",
        {"action fits.find"},
        nullptr},

@@ -32,6 +32,8 @@ const std::vector<PartHelp>& panelHelp() {
        QT_TRANSLATE_NOOP("WhatsThis",
                          "The settings of the next run. The strategy is the planner. The operator holds the object: "
                          "you, a device, or a simulated person. The sliders can be moved during a run.")},
+      {"product", QT_TRANSLATE_NOOP("WhatsThis", "The product: its bodies, and the places of the free space.")},
+      {"contacts", QT_TRANSLATE_NOOP("WhatsThis", "How the bodies of the product touch, and how they are joined.")},
       {"scene-tree",
        QT_TRANSLATE_NOOP("WhatsThis",
                          "All bodies of the scenario: the moving part with its start and goal, and the obstacles. A "
@@ -74,10 +76,13 @@ const std::vector<PartHelp>& panelHelp() {
                                        "stands between them, and how much is missing.")},
       {"tools", QT_TRANSLATE_NOOP("WhatsThis", "Files, undo, the run, and views of the scene.")},
       {"replay", QT_TRANSLATE_NOOP("WhatsThis", "The recorded run that is replayed, step by step.")},
-      {"scene", QT_TRANSLATE_NOOP("WhatsThis",
-                                  "The scene. Drag to orbit, middle-drag to pan, wheel to zoom, double-click to fit. A "
-                                  "click selects a body, or a place while places are shown. The right button opens a "
-                                  "menu. Keys move the object (Ctrl+F1 lists them).")},
+      {"scene",
+       QT_TRANSLATE_NOOP(
+           "WhatsThis",
+           "The scene. Drag to orbit, middle-drag to pan, wheel to zoom, double-click to fit. A "
+           "click selects a body, or a place while places are shown; Ctrl+Shift and a drag select all bodies in a "
+           "box. The right button opens a "
+           "menu. Keys move the object (Ctrl+F1 lists them).")},
       {"welcome", QT_TRANSLATE_NOOP("WhatsThis", "What can be opened: new parts, recent files and samples.")},
   };
   return panels;
@@ -171,7 +176,7 @@ void explainWindow(QMainWindow& window) {
   const QString tabs = helpText(QT_TRANSLATE_NOOP("WhatsThis",
                                                   "Panels that share a place. Alt and a digit bring one to "
                                                   "the front; View > Panels shows and hides them."));
-  for (QTabBar* bar : window.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) bar->setWhatsThis(tabs);
+  for (QTabBar* bar : window.findChildren<QTabBar*>()) bar->setWhatsThis(tabs);
   window.menuBar()->setWhatsThis(
       helpText(QT_TRANSLATE_NOOP("WhatsThis", "All commands. Ctrl+K finds one by a part of its name.")));
   window.statusBar()->setWhatsThis(

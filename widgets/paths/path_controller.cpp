@@ -194,7 +194,10 @@ void PathController::connectActions() {
   bench_.onAction("path.film", this, [this] { chooseFilm(); });
 }
 
-void PathController::bringToFront() { bench_.actions["panel.path"]->trigger(); }
+/// The path of a step by hand belongs to the sequence, which stays in front.
+void PathController::bringToFront() {
+  if (!bench_.document.isTemporary()) bench_.bringToFront(Workspace::Planning, "panel.path");
+}
 
 void PathController::showError(const Diagnostic& why) {
   bench_.messages.showError(tr("Not possible with this path"), why);

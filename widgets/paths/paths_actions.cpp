@@ -125,7 +125,7 @@ std::vector<ActionSpec> pathsActions() {
        .tip = QT_TRANSLATE_NOOP("Actions", "Bring the path and its certificate to the front"),
        .place = {"menu.go", 2, 30}},
       {.id = "panel.paths",
-       .text = QT_TRANSLATE_NOOP("Actions", "Pat&hs panel"),
+       .text = QT_TRANSLATE_NOOP("Actions", "&Kept paths panel"),
        .key = "Alt+0",
        .tip = QT_TRANSLATE_NOOP("Actions", "Bring the list of kept paths to the front"),
        .place = {"menu.go", 2, 40}},

@@ -2,6 +2,7 @@
 
 #include <QLineEdit>
 #include <QLocale>
+#include <QShortcut>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -141,11 +142,16 @@ AssemblyController::AssemblyController(const Workbench& bench, PartImport& parts
   column->addWidget(scenePanel_, 1);
   column->addWidget(placement_);
   placement_->addPickAction(bench.actions["assembly.pick-frame"]);
-  for (const char* id : {"assembly.moves", "assembly.remove", "assembly.leave-out", "assembly.put-back",
-                         "sequence.stays", "body.hide", "body.isolate", "body.show-all", "view.zoom-selection"}) {
+  for (const char* id :
+       {"body.rename", "body.properties", "assembly.moves", "assembly.remove", "assembly.leave-out",
+        "assembly.put-back", "sequence.stays", "body.hide", "body.isolate", "body.show-all", "view.zoom-selection"}) {
     scenePanel_->addAction(bench.actions[QLatin1String(id)]);
   }
   scenePanel_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  // In the scene the key F chooses the axes of the hand.
+  addKey(Qt::Key_H, "body.hide", scenePanel_);
+  addKey(Qt::Key_H, "body.hide", bench.scene.widget());
+  addKey(Qt::Key_F, "view.zoom-selection", scenePanel_);
 
   connect(&document_, &WorkbenchDocument::changed, this, &AssemblyController::followDocument);
   connect(&document_, &WorkbenchDocument::editFailed, this, [this](const std::optional<Diagnostic>& why) {
@@ -160,6 +166,11 @@ AssemblyController::AssemblyController(const Workbench& bench, PartImport& parts
     document_.semantics().select(selection);
   });
   connect(scenePanel_, &ScenePanel::itemSelectionChanged, this, &AssemblyController::enableActions);
+  connect(scenePanel_, &ScenePanel::bodyRenamed, this, [this](const QString& id, const QString& name) {
+    editScenario(tr("Rename %1").arg(id), [id = id.toStdString(), name = name.toStdString()](Scenario& scenario) {
+      return renameBody(id, name, scenario);
+    });
+  });
   connect(scenePanel_, &ScenePanel::endChosen, this, [this](AssemblyItem::Kind end) { choose(AssemblyItem{end, {}}); });
   connect(placement_, &PlacementPanel::placed, this, [this](const Pose& X_WB) {
     const QString key = QStringLiteral("place %1 %2").arg(static_cast<int>(chosen_->kind));
@@ -180,12 +191,23 @@ AssemblyController::AssemblyController(const Workbench& bench, PartImport& parts
   });
 }
 
+/// Lets a key carry out an action while the widget has the focus.
+void AssemblyController::addKey(Qt::Key key, const char* action, QWidget* widget) {
+  auto* shortcut = new QShortcut(QKeySequence(key), widget, nullptr, nullptr, Qt::WidgetShortcut);
+  connect(shortcut, &QShortcut::activated, bench_.actions[action], &QAction::trigger);
+}
+
 void AssemblyController::connectActions() {
   const auto on = [this](const char* id, auto handler) { bench_.onAction(id, this, handler); };
   on("assembly.remove", [this] { removeSelected(); });
   on("assembly.leave-out", [this] { leaveOutSelected(); });
   on("assembly.put-back", [this] { putBackSelected(); });
   on("assembly.moves", [this] { markSelected(); });
+  on("body.rename", [this] {
+    bench_.actions["panel.scene"]->trigger();
+    scenePanel_->editName();
+  });
+  on("body.properties", [this] { bench_.actions["panel.semantics"]->trigger(); });
   on("assembly.start-here", [this] {
     place({AssemblyItem::Kind::Start, {}}, bench_.session.snapshot()->device.q_device);
   });
@@ -390,6 +412,9 @@ void AssemblyController::enableActions() {
   const auto enable = [this](const char* id, bool enabled) { bench_.enable(id, enabled); };
   const std::size_t bodies = selectedBodies().size();
   const bool goal = document_.scenario() && std::holds_alternative<Pose>(document_.scenario()->scenario.goal);
+  const std::size_t selected = selectedOfAll().size();
+  enable("body.rename", editable_ && selected == 1);
+  enable("body.properties", selected > 0);
   enable("assembly.add", editable_);
   enable("assembly.remove", editable_ && bodies > 0);
   enable("assembly.leave-out", editable_ && bodies > 0);

@@ -40,6 +40,7 @@ class AssemblyController final : public QObject {
 
  private:
   void connectActions();
+  void addKey(Qt::Key key, const char* action, QWidget* widget);
   void followDocument(Changes what);
   /// The arrangement cannot be edited during a run or while a replay is shown.
   void followRun(const SnapshotPtr& snapshot);

@@ -38,14 +38,18 @@ PlacementPanel::PlacementPanel(QWidget* parent) : QWidget(parent), name_(new QLa
     position_[axis] = addBox(QuantityBox::Quantity::Length, axis,
                              tr("Along the world's axis %1; a number may have a unit: 25.4 mm, 1 in").arg(letter));
     position_[axis]->setObjectName(QStringLiteral("place-") + letter.toLower());
+    connect(position_[axis], QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
+            [this, axis] { takePosition(axis); });
+  }
+  // Tab goes through the fields in the order in which they are made.
+  for (int axis = 0; axis < 3; ++axis) {
+    const QString letter(QLatin1Char("XYZ"[axis]));
     turn_[axis] = addBox(QuantityBox::Quantity::Angle, axis,
                          tr("Turned about the world's axis %1, in degrees, or with a unit: 0.1 rad; first X, then Y, "
                             "then Z")
                              .arg(letter));
     turn_[axis]->setObjectName(QStringLiteral("turn-") + letter.toLower());
     turn_[axis]->setRange(-360.0, 360.0);
-    connect(position_[axis], QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
-            [this, axis] { takePosition(axis); });
     connect(turn_[axis], QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this, axis] { takeTurn(axis); });
   }
   showUnit();

@@ -16,6 +16,7 @@ constexpr int kBodyRole = Qt::UserRole;     // id of a body
 constexpr int kEndRole = Qt::UserRole + 1;  // AssemblyItem::Kind of start or goal
 constexpr int kObstacleRole = Qt::UserRole + 2;
 constexpr int kLeftOutRole = Qt::UserRole + 3;  // id of a body that is left out
+constexpr int kNameRole = Qt::UserRole + 4;     // name of a body, as it is shown
 
 QIcon swatch(const Colour& colour) { return colourSwatch(QColor::fromRgbF(colour[0], colour[1], colour[2])); }
 
@@ -35,6 +36,14 @@ bool filterUnder(QTreeWidgetItem& item, const QString& text, bool matched) {
   for (int i = 0; i < item.childCount(); ++i) any = filterUnder(*item.child(i), text, matches) || any;
   item.setHidden(!any);
   return any;
+}
+
+/// Lets a person edit the name of a body of the scenario. A link of a URDF file has the name that the file gives it.
+void allowRenaming(QTreeWidgetItem& item) {
+  const std::string id = item.data(0, kBodyRole).toString().toStdString();
+  if (bodyIdOf(id) != id) return;
+  item.setData(0, kNameRole, item.text(0));
+  item.setFlags(item.flags() | Qt::ItemIsEditable);
 }
 
 /// Collects the body of an item, or all bodies under an assembly.
@@ -60,11 +69,28 @@ ScenePanel::ScenePanel(QWidget* parent) : QTreeWidget(parent) {
   header()->setSectionResizeMode(0, QHeaderView::Stretch);
   header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   header()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
+  setEditTriggers(QAbstractItemView::EditKeyPressed);
   connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
+    if (item->data(0, kNameRole).isValid() && item->text(0) != item->data(0, kNameRole)) {
+      const QString name = item->text(0);
+      {
+        const QSignalBlocker block(this);
+        item->setText(0, item->data(0, kNameRole).toString());  // until the scenario has the other name
+      }
+      emit bodyRenamed(item->data(0, kBodyRole).toString(), name.trimmed());
+      return;
+    }
     if (!isObstacle(item)) return;
     emit bodyChecked(item->data(0, kBodyRole).toString(), item->checkState(0) == Qt::Checked);
   });
   connect(this, &QTreeWidget::itemSelectionChanged, this, &ScenePanel::takeSelection);
+}
+
+void ScenePanel::resizeEvent(QResizeEvent* event) {
+  constexpr int kWideInLetters = 55;
+  constexpr int kTriangles = 2;
+  setColumnHidden(kTriangles, width() < kWideInLetters * fontMetrics().averageCharWidth());
+  QTreeWidget::resizeEvent(event);
 }
 
 QTreeWidgetItem* ScenePanel::addGroup(const QString& title) {
@@ -89,6 +115,7 @@ QTreeWidgetItem* ScenePanel::addBody(QTreeWidgetItem& group, const RigidBody& bo
   item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
   item->setToolTip(0, QString::fromStdString(body.id));
   item->setData(0, kBodyRole, QString::fromStdString(body.id));
+  allowRenaming(*item);
   return item;
 }
 
@@ -134,6 +161,11 @@ bool ScenePanel::chooseLeftOut(const std::string& bodyId) {
   return false;
 }
 
+void ScenePanel::editName() {
+  const QList<QTreeWidgetItem*> selected = selectedItems();
+  if (!selected.isEmpty()) editItem(selected.front(), 0);
+}
+
 std::vector<std::string> ScenePanel::chosenLeftOut() const {
   std::vector<std::string> ids;
   for (const QTreeWidgetItem* item : selectedItems()) {
@@ -170,6 +202,7 @@ void ScenePanel::addObstacles(const LoadedScenario& scenario) {
 QTreeWidgetItem* ScenePanel::addObstacle(QTreeWidgetItem& parent, const RigidBody& body, const QString& name) {
   QTreeWidgetItem* item = addBody(parent, body, body.mobility == Mobility::Static ? tr("static") : tr("mobile"));
   if (!name.isEmpty()) item->setText(0, name);
+  allowRenaming(*item);
   item->setData(0, kObstacleRole, true);
   item->setCheckState(0, Qt::Checked);
   item->setToolTip(0, tr("%1: drawn while the box is checked").arg(item->toolTip(0)));

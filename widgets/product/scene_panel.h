@@ -29,15 +29,23 @@ class ScenePanel final : public QTreeWidget {
   void showSelection(const QSet<QString>& bodyIds, const std::optional<AssemblyItem>& chosen);
   /// Selects only the row of this body that is left out. False if there is none.
   bool chooseLeftOut(const std::string& bodyId);
+  /// Edits the name of the first selected body.
+  void editName();
   /// Ids of the selected bodies that are left out.
   std::vector<std::string> chosenLeftOut() const;
 
  signals:
+  /// The user has given a body another name.
+  void bodyRenamed(const QString& bodyId, const QString& name);
   /// The user shows or hides an obstacle.
   void bodyChecked(const QString& bodyId, bool visible);
   /// The user has selected these rigid bodies, which may be the object's.
   void bodiesChosen(const QSet<QString>& bodyIds);
   void endChosen(glissade::AssemblyItem::Kind end);
+
+ protected:
+  /// A narrow list leaves the numbers of triangles out, so that the names can be read.
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   QTreeWidgetItem* addGroup(const QString& title);

@@ -63,7 +63,7 @@ void HandHint::write() {
 QString HandHint::keys() const {
   const SnapshotPtr& snapshot = bench_.run.snapshot();
   const std::string& device = bench_.session.deviceId();
-  const bool byKeys = device == "hand" || device == "keyboard";
+  const bool byKeys = device == kAnyDevice || device == "keyboard";
   if (!snapshot || !bench_.run.isLive() || !isRunning(*snapshot) || !byKeys) return {};
   if (!bench_.actions["layer.keys"]->isChecked()) return {};
   const auto key = [this](const char* id) {
@@ -170,7 +170,7 @@ void AssistController::startByHand() {
     const HelpPlacesPtr places = places_;
     const std::size_t chosen = chosen_;
     bench_.session.post(command::Stop{});
-    if (!isPerson(bench_.session.deviceId())) bench_.session.setDevice("hand");
+    if (!isPerson(bench_.session.deviceId())) bench_.session.setDevice(kAnyDevice);
     if (!followsHand(bench_.document.settings().strategy)) bench_.session.post(command::SetPlanner{"by-hand"});
     places_ = places;  // changing the device ended the session, which cleared places_
     chosen_ = chosen;

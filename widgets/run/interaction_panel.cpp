@@ -1,12 +1,8 @@
 #include "widgets/run/interaction_panel.h"
 
-#include <QAbstractItemView>
 #include <QFormLayout>
-#include <QSignalBlocker>
-#include <QStandardItemModel>
 #include <QVBoxLayout>
 
-#include "engine/operator/device_registry.h"
 #include "widgets/controls/diagnostic_text.h"
 #include "widgets/run/strategy_use.h"
 
@@ -14,11 +10,6 @@ namespace glissade {
 namespace {
 
 QString text(const std::string& value) { return QString::fromStdString(value); }
-
-void select(QComboBox& box, const std::string& id) {
-  const QSignalBlocker block(box);
-  box.setCurrentIndex(box.findData(text(id)));
-}
 
 /// All live parameters, except those with a box or a button of their own.
 std::vector<ParameterId> steeringParameters() {
@@ -30,39 +21,44 @@ std::vector<ParameterId> steeringParameters() {
   return ids;
 }
 
-QComboBox* makeBox(QWidget* parent) {
-  auto* box = new QComboBox(parent);
-  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  box->setMinimumContentsLength(12);
-  return box;
+std::vector<ResearchBox::Entry> strategies(const PlannerRegistry& planners) {
+  std::vector<ResearchBox::Entry> entries;
+  for (const PlannerEntry& entry : planners.entries()) {
+    entries.push_back(
+        {text(entry.id), engineText(entry.label), engineText(entry.description), !isMainStrategy(entry.id)});
+  }
+  return entries;
+}
+
+std::vector<ResearchBox::Entry> operators(const DeviceRegistry& devices) {
+  std::vector<ResearchBox::Entry> entries;
+  for (const DeviceEntry& entry : devices.entries()) {
+    entries.push_back({text(entry.id), engineText(entry.label), engineText(entry.description), entry.id != kAnyDevice});
+  }
+  return entries;
 }
 
 }  // namespace
 
 InteractionPanel::InteractionPanel(QWidget* parent)
     : QWidget(parent),
-      planner_(makeBox(this)),
+      planner_(new ResearchBox(strategies(planners_), this)),
       about_(new QLabel(this)),
-      device_(makeBox(this)),
+      device_(new ResearchBox(operators(devices_), this)),
       pace_(new PaceBox(this)),
       seed_(new SeedBox(this)),
       authorityTitle_(new QLabel(tr("Computer share now"), this)),
       authority_(new QLabel(this)),
       replayed_(new QLabel(tr("Replayed: as it was at this step"), this)),
       sliders_(new ParameterSliders(steeringParameters(), this)) {
-  fillStrategies();
   about_->setWordWrap(true);
   about_->setTextFormat(Qt::PlainText);
   about_->setForegroundRole(QPalette::PlaceholderText);
   about_->setObjectName(QStringLiteral("about-strategy"));
-  const DeviceRegistry devices = makeDeviceRegistry();
-  for (const DeviceEntry& entry : devices.entries()) {
-    device_->addItem(engineText(entry.label), text(entry.id));
-    device_->setItemData(device_->count() - 1, engineText(entry.description), Qt::ToolTipRole);
-  }
   planner_->setObjectName(QStringLiteral("strategy"));
   planner_->setToolTip(tr("The strategy of the next run"));
   planner_->setAccessibleName(tr("Strategy"));
+  device_->setObjectName(QStringLiteral("operator"));
   device_->setToolTip(tr("Who holds the object"));
   device_->setAccessibleName(tr("Operator"));
   seed_->setToolTip(tr("Same scenario, seed and inputs: same roadmap"));
@@ -91,52 +87,23 @@ InteractionPanel::InteractionPanel(QWidget* parent)
   connect(pace_, &PaceBox::paceChosen, this, [this](double pace) {
     emit commanded(command::SetParameter{ParameterId::Pace, pace});
   });
-  connect(planner_, QOverload<int>::of(&QComboBox::activated), this, &InteractionPanel::chooseStrategy);
-  connect(device_, QOverload<int>::of(&QComboBox::activated), this,
-          [this] { emit deviceChosen(device_->currentData().toString()); });
+  connect(planner_, &ResearchBox::entryChosen, this,
+          [this](const QString& id) { emit commanded(command::SetPlanner{id.toStdString()}); });
+  connect(device_, &ResearchBox::entryChosen, this, &InteractionPanel::deviceChosen);
+  connect(device_, &ResearchBox::popupDue, this, &InteractionPanel::showMissingDevices);
   connect(seed_, &SeedBox::seedChosen, this, [this](quint64 seed) { emit commanded(command::SetSeed{seed}); });
 }
 
-/// Lists the main strategies, and a row that shows the others.
-void InteractionPanel::fillStrategies() {
-  addStrategies(true);
-  planner_->insertSeparator(planner_->count());
-  advancedRow_ = planner_->count();
-  planner_->addItem(tr("Advanced…"));
-  planner_->setItemData(advancedRow_, tr("Shows all strategies"), Qt::ToolTipRole);
-}
-
-void InteractionPanel::addStrategies(bool main) {
-  for (const PlannerEntry& entry : planners_.entries()) {
-    if (isMainStrategy(entry.id) != main) continue;
-    planner_->addItem(engineText(entry.label), text(entry.id));
-    planner_->setItemData(planner_->count() - 1, engineText(entry.description), Qt::ToolTipRole);
+void InteractionPanel::showMissingDevices() {
+  if (!hand_) return;
+  for (const DeviceEntry& entry : devices_.entries()) {
+    device_->setReason(text(entry.id), entry.connected(*hand_) ? QString() : tr("not connected"));
   }
-  planner_->view()->setMinimumWidth(planner_->view()->sizeHintForColumn(0) + 24);
-  planner_->setMaxVisibleItems(planner_->count() + 1);
-}
-
-void InteractionPanel::showAdvanced() {
-  if (planner_->count() > advancedRow_ + 1) return;
-  planner_->setItemText(advancedRow_, tr("Advanced"));
-  planner_->setItemData(advancedRow_, {}, Qt::ToolTipRole);
-  static_cast<QStandardItemModel*>(planner_->model())->item(advancedRow_)->setFlags(Qt::NoItemFlags);
-  addStrategies(false);
-}
-
-void InteractionPanel::chooseStrategy() {
-  if (planner_->currentIndex() != advancedRow_) {
-    emit commanded(command::SetPlanner{planner_->currentData().toString().toStdString()});
-    return;
-  }
-  showAdvanced();
-  select(*planner_, shownStrategy_);
-  planner_->showPopup();
 }
 
 void InteractionPanel::showUse() {
-  const std::string strategy = planner_->currentData().toString().toStdString();
-  const std::string device = device_->currentData().toString().toStdString();
+  const std::string strategy = planner_->chosen().toStdString();
+  const std::string device = device_->chosen().toStdString();
   if (strategy + "/" + device == shownUse_) return;
   shownUse_ = strategy + "/" + device;
   const PlannerEntry* entry = planners_.find(strategy);
@@ -150,9 +117,7 @@ void InteractionPanel::showUse() {
 void InteractionPanel::setScenario(const LoadedScenario& scenario) { sliders_->setScenario(scenario); }
 
 void InteractionPanel::setSnapshot(const SessionSnapshot& snapshot) {
-  shownStrategy_ = snapshot.plannerId;
-  if (!isMainStrategy(shownStrategy_)) showAdvanced();
-  select(*planner_, shownStrategy_);
+  planner_->setChosen(text(snapshot.plannerId));
   pace_->setPace(snapshot.parameters[ParameterId::Pace]);
   showUse();
   if (!seed_->hasFocus()) seed_->setSeed(snapshot.seed);
@@ -176,7 +141,8 @@ void InteractionPanel::setReplayed(bool replayed) {
 }
 
 void InteractionPanel::setDevice(const std::string& deviceId) {
-  select(*device_, deviceId);
+  device_->setChosen(text(deviceId));
+  showMissingDevices();
   showUse();
 }
 

@@ -1,12 +1,13 @@
 #pragma once
 
-#include <QComboBox>
 #include <QLabel>
 #include <QWidget>
 
+#include "engine/operator/device_registry.h"
 #include "widgets/document/session_bridge.h"
 #include "widgets/run/pace_box.h"
 #include "widgets/run/parameter_sliders.h"
+#include "widgets/run/research_box.h"
 #include "widgets/run/seed_box.h"
 
 namespace glissade {
@@ -19,6 +20,8 @@ class InteractionPanel final : public QWidget {
  public:
   explicit InteractionPanel(QWidget* parent = nullptr);
 
+  /// The devices that are connected to it can be chosen; others are grey. Null: all can be chosen.
+  void setHand(HandInputsPtr hand) { hand_ = std::move(hand); }
   void setScenario(const LoadedScenario& scenario);
   void setSnapshot(const SessionSnapshot& snapshot);
   void setDevice(const std::string& deviceId);
@@ -30,27 +33,23 @@ class InteractionPanel final : public QWidget {
   void deviceChosen(const QString& deviceId);
 
  private:
-  void fillStrategies();
-  void addStrategies(bool main);
-  /// Lists all strategies from now on.
-  void showAdvanced();
-  void chooseStrategy();
+  void showMissingDevices();
   /// Shows the sentence about the strategy, and the sliders that it uses.
   void showUse();
 
   PlannerRegistry planners_ = makePlannerRegistry();
-  QComboBox* planner_;
-  int advancedRow_ = 0;  ///< row of planner_ that shows all strategies, and is their title then
+  DeviceRegistry devices_ = makeDeviceRegistry();
+  HandInputsPtr hand_;
+  ResearchBox* planner_;
   QLabel* about_;
-  QComboBox* device_;
+  ResearchBox* device_;
   PaceBox* pace_;
   SeedBox* seed_;
   QLabel* authorityTitle_;
   QLabel* authority_;
   QLabel* replayed_;
   ParameterSliders* sliders_;
-  std::string shownStrategy_;  ///< strategy of the last snapshot
-  std::string shownUse_;       ///< strategy and device of the last showUse()
+  std::string shownUse_;  ///< strategy and device of the last showUse()
 };
 
 }  // namespace glissade

@@ -155,9 +155,10 @@ std::vector<ActionSpec> runActions() {
        .tip = QT_TRANSLATE_NOOP(
            "Actions", "Find the tightest passage, and by how much bodies overlap on the path of least penetration"),
        .place = {"menu.difficulty", 1, 10},
-       .help = QT_TRANSLATE_NOOP("ActionHelp",
-                                 "The panel Difficulty lists the smallest distance between the two trees, the bodies "
-                                 "between them, and how much more room the object needs."),
+       .help =
+           QT_TRANSLATE_NOOP("ActionHelp",
+                             "The panel Path > Why not lists the smallest distance between the two trees, the bodies "
+                             "between them, and how much more room the object needs."),
        .synonyms = QT_TRANSLATE_NOOP("Actions", "blocked bottleneck tight stuck")},
       {.id = "difficulty.play",
        .text = QT_TRANSLATE_NOOP("Actions", "Play the path of &least penetration"),
@@ -186,7 +187,7 @@ std::vector<ActionSpec> runActions() {
        .tip = QT_TRANSLATE_NOOP("Actions", "Bring the figures of the run to the front"),
        .place = {"menu.go", 2, 10}},
       {.id = "panel.difficulty",
-       .text = QT_TRANSLATE_NOOP("Actions", "&Difficulty panel"),
+       .text = QT_TRANSLATE_NOOP("Actions", "&Why not panel"),
        .key = "Alt+6",
        .tip = QT_TRANSLATE_NOOP("Actions", "Bring the reasons why no path was found to the front"),
        .place = {"menu.go", 2, 60}},

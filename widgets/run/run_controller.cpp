@@ -11,6 +11,7 @@
 #include "engine/base/enum_names.h"
 #include "engine/base/number_text.h"
 #include "engine/operator/device_registry.h"
+#include "engine/planning/fine/coarse_preview.h"
 #include "widgets/places/rules_dialog.h"
 #include "widgets/run/strategy_use.h"
 #include "widgets/workbench/status_text.h"
@@ -122,6 +123,7 @@ RunController::RunController(const Workbench& bench)
       counts_(new CountsPanel(&bench.window)),
       status_(new QLabel(&bench.window)),
       elapsed_(new QLabel(&bench.window)) {
+  interaction_->setHand(bench.session.hand());
   status_->setObjectName(QStringLiteral("status"));
   status_->setTextFormat(Qt::PlainText);
   status_->setText(tr("No scenario is open."));
@@ -146,12 +148,7 @@ RunController::RunController(const Workbench& bench)
 }
 
 void RunController::connectActions() {
-  bench_.onAction("run.start", this, [this] {
-    bench_.document.whenArranged([this] {
-      bench_.session.post(command::Stop{});  // a smoothing may still be running
-      bench_.session.post(command::Start{});
-    });
-  });
+  bench_.onAction("run.start", this, [this] { bench_.document.whenArranged([this] { start(); }); });
   bench_.onAction("run.pause", this, [this](bool pause) {
     bench_.session.post(pause ? Command(command::Pause{}) : Command(command::Resume{}));
   });
@@ -239,8 +236,19 @@ void RunController::restart(std::uint64_t seed) {
   bench_.document.whenArranged([this, seed] {
     bench_.session.post(command::Stop{});
     bench_.session.post(command::SetSeed{seed});
-    bench_.session.post(command::Start{});
+    start();
   });
+}
+
+void RunController::start() {
+  bench_.session.post(command::Stop{});  // a smoothing may still be running
+  if (!bench_.document.isTemporary()) {
+    const bool hasCoarsePlan = isMultiLayer(bench_.document.settings().strategy);
+    QWidget* focus = QApplication::focusWidget();
+    bench_.bringToFront(Workspace::Planning, hasCoarsePlan ? "panel.plan" : "panel.run");
+    if (focus != nullptr) focus->setFocus();  // the keys that steer the object are those of the scene
+  }
+  bench_.session.post(command::Start{});
 }
 
 void RunController::finish() {

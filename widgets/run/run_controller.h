@@ -33,6 +33,8 @@ class RunController final : public QObject {
   void enableActions(const SessionSnapshot* snapshot);
   void chooseDevice(const std::string& id);
   void restart(std::uint64_t seed);
+  /// Starts a run, with its panel in front. A step by hand has the panel of its sequence.
+  void start();
   /// Gives the rest of the run to the computer, at full speed. Once the run has ended, the settings are as before.
   void finish();
   void setLater(ParameterId id, double value);

@@ -8,7 +8,8 @@
 
 namespace glissade {
 
-/// Whether the strategy is for daily use: it is listed first. The others are listed under "Advanced".
+/// Whether the strategy is for daily use: it is listed at first sight. The others are listed under
+/// "Research".
 bool isMainStrategy(const std::string& plannerId);
 
 /// The strategy of a run while a device is held: automatic planners would not ask for the hand.

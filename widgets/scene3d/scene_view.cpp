@@ -62,6 +62,7 @@ void SceneView::setScenario(std::shared_ptr<const LoadedScenario> scenario) {
   impl_->sections.clear();
   impl_->keptPaths.clear();
   rearrange(std::move(scenario));
+  impl_->camera.setStandardView(StandardView::Isometric);
   fit();
 }
 

@@ -41,9 +41,9 @@ std::vector<ActionSpec> sectionActions() {
        .tip = QT_TRANSLATE_NOOP("Actions", "Draw all bodies whole again"),
        .place = {"menu.section", 2, 20}},
       {.id = "panel.section",
-       .text = QT_TRANSLATE_NOOP("Actions", "&Section panel"),
+       .text = QT_TRANSLATE_NOOP("Actions", "&Section bar"),
        .key = "Alt+7",
-       .tip = QT_TRANSLATE_NOOP("Actions", "Bring the section planes to the front"),
+       .tip = QT_TRANSLATE_NOOP("Actions", "Show the bar of the section planes"),
        .place = {"menu.go", 1, 50}},
   };
 }

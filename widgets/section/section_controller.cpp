@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QMouseEvent>
+#include <QToolBar>
 
 #include <algorithm>
 #include <array>
@@ -33,7 +34,12 @@ SectionController::SectionController(const Workbench& bench, const MeasureContro
     : QObject(&bench.window),
       bench_(bench),
       panel_(new SectionPanel(bench.actions, &bench.window)),
+      bar_(new QToolBar(tr("Sections"), &bench.window)),
       tool_(bench.scene, this) {
+  bar_->setObjectName(QStringLiteral("section"));
+  bar_->setMovable(false);
+  bar_->addWidget(panel_);
+  bench.window.addToolBar(Qt::BottomToolBarArea, bar_);
   connect(panel_, &SectionPanel::changed, this, &SectionController::show);
   connect(&tool_, &SectionTool::dragged, this, [this](std::size_t index, double place) {
     SectionPlane section = panel_->sections()[index];
@@ -56,6 +62,10 @@ void SectionController::connectActions() {
   for (int axis = 0; axis < 3; ++axis) {
     bench_.onAction(kAddActions[static_cast<std::size_t>(axis)], this, [this, axis] { addAcross(axis); });
   }
+  bench_.onAction("panel.section", this, [this] {
+    bar_->show();
+    panel_->focusFirstButton();
+  });
   bench_.onAction("section.remove-all", this, [this] {
     panel_->clear();
     show();
@@ -84,7 +94,6 @@ void SectionController::addAcross(int axis) {
   };
   const auto* share = std::find_if(kNewPlaces.begin(), kNewPlaces.end(), isFree);
   add(direction, range.least + (share == kNewPlaces.end() ? 0.5 : *share) * size);
-  bench_.actions["panel.section"]->trigger();
 }
 
 /// Adds a section along a plane, or through the axis of a round face, facing the viewer.
@@ -100,7 +109,6 @@ void SectionController::addAlong(const MeasureFeature& face) {
     through = face.axisPoint;
   }
   add(direction, direction.dot(through));
-  bench_.actions["panel.section"]->trigger();
 }
 
 void SectionController::add(const Vector3& direction, double place) {
@@ -136,6 +144,10 @@ void SectionController::show() {
   }
   bench_.scene.view().setSections(planes);
   const bool handles = bench_.actions["section.handles"]->isChecked();
+  if (bar_->isHidden() != sections.empty()) {
+    bar_->setVisible(!sections.empty());
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);  // the view has its size before it is drawn
+  }
   tool_.setSections(handles ? sections : std::vector<SectionPlane>(), panel_->extent());
   const bool mayAdd = !panel_->extent().isEmpty() && sections.size() < kMostSections;
   for (const char* id : kAddActions) bench_.enable(id, mayAdd);

@@ -6,10 +6,12 @@
 #include "widgets/section/section_tool.h"
 #include "widgets/workbench/workbench.h"
 
+class QToolBar;
+
 namespace glissade {
 
-/// The sections of the view: their panel, and their handles in the scene. They belong to the view, which has no undo.
-/// Opening a scenario removes them.
+/// The sections of the view: their tool bar, and their handles in the scene. They belong to the view, which has no
+/// undo. Opening a scenario removes them.
 class SectionController final : public QObject {
   Q_OBJECT
 
@@ -17,7 +19,6 @@ class SectionController final : public QObject {
   /// It must be made after all other tools of the scene, so that the handles of sections come first.
   SectionController(const Workbench& bench, const MeasureController& measure);
 
-  SectionPanel* panel() const { return panel_; }
   /// Cuts the scene through this point and removes the side along the normal. Later calls move this section, or add it
   /// again if it was removed.
   void cutByHand(const Vector3& normal, const Vector3& through);
@@ -39,6 +40,7 @@ class SectionController final : public QObject {
 
   const Workbench& bench_;
   SectionPanel* panel_;
+  QToolBar* bar_;  ///< below the view; shown while there are sections, or when it is asked for
   SectionTool tool_;
   BackgroundTask caps_;
   std::optional<SectionPlane> byHand_;  ///< the section of the hand, at its last pose

@@ -157,11 +157,13 @@ SectionPanel::SectionPanel(const ActionCatalogue& actions, QWidget* parent)
   }
   rowsLayout_->setSpacing(2);
   note_->setWordWrap(true);
-  auto* column = new QVBoxLayout(this);
-  column->addLayout(flow);
-  column->addLayout(rowsLayout_);
-  column->addWidget(note_);
-  column->addStretch();
+  auto* left = new QVBoxLayout;
+  left->addLayout(flow);
+  left->addWidget(note_);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addLayout(left, 1);
+  row->addLayout(rowsLayout_, 1);
   showNote();
   setEnabled(false);
 }

@@ -71,6 +71,7 @@ class SectionPanel final : public QWidget {
   void set(std::size_t index, const SectionPlane& section);
   void remove(std::size_t index);
   void clear();
+  void focusFirstButton() { firstButton_->setFocus(); }
 
  signals:
   /// The user has changed, switched or removed a section.

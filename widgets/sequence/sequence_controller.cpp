@@ -108,6 +108,7 @@ void SequenceController::connectActions() {
   bench_.onAction("sequence.next-step", this, [this] { panel_->stepBy(1); });
   connect(bench_.actions["sequence.assembly-order"], &QAction::toggled, this,
           [this](bool assembly) { panel_->setOrder(assembly ? PlanOrder::Assembly : PlanOrder::Removal); });
+  bench_.actions["sequence.assembly-order"]->setChecked(true);
   connect(bench_.actions["sequence.aside"], &QAction::toggled, this, &SequenceController::showPanelsScene);
 }
 
@@ -158,7 +159,9 @@ void SequenceController::startPlanning(bool resume, std::optional<std::size_t> m
     for (const std::string& id : job.resumed->staying) job.staying[*job.product->indexOf(id)] = true;
   } else {
     if (shown().product == job.product && shown().plan && !shown().plan->steps.empty()) job.known = shown().plan;
-    setPlan({job.product, std::make_shared<const AssemblyPlan>(emptyPlan(*job.product, job.staying)), true, {}, {}});
+    const PlanPtr before = shown().product == job.product ? shown().plan : nullptr;
+    const auto empty = std::make_shared<const AssemblyPlan>(emptyPlan(*job.product, job.staying));
+    setPlan({job.product, empty, true, {}, {}, {}, before});
   }
   knownSteps_ = goesOn ? job.resumed->steps.size() : 0;
   planner_.plan(job, bench_.work.isAtOnce());
@@ -170,6 +173,7 @@ void SequenceController::takeGrown(const GrownPlan& grown, bool growing) {
   ShownPlan next = shown();
   next.plan = grown.plan;
   next.growing = growing;
+  if (!growing) next.before = nullptr;
   next.access = nullptr;
   next.foundAfter.resize(knownSteps_);
   for (const double seconds : grown.foundAfter) next.foundAfter.emplace_back(seconds);
@@ -335,7 +339,7 @@ bool SequenceController::isEditable() const {
   return shown().plan && shown().product && !shown().plan->bodies.empty() && !planner_.isPlanning() && !shown().growing;
 }
 
-void SequenceController::bringToFront() { bench_.actions["panel.sequence"]->trigger(); }
+void SequenceController::bringToFront() { bench_.bringToFront(Workspace::Assembly, "panel.sequence"); }
 
 std::optional<Diagnostic> SequenceController::open(const QString& file) {
   const std::string name = file.toStdString();

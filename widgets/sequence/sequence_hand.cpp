@@ -84,7 +84,7 @@ void SequenceHand::noteBegun() {
 void SequenceHand::takeInHand() {
   const DeviceRegistry devices = makeDeviceRegistry();
   const DeviceEntry* device = devices.find(bench_.session.deviceId());
-  if (device == nullptr || device->simulated) bench_.session.setDevice("hand");
+  if (device == nullptr || device->simulated) bench_.session.setDevice(kAnyDevice);
   run_->strategy = bench_.document.settings().strategy;
   bench_.session.post(command::SetPlanner{"by-hand"});
 }

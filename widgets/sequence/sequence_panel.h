@@ -96,7 +96,7 @@ class SequencePanel final : public QWidget {
   QString summary() const;
 
   ShownPlan shown_;
-  PlanOrder order_ = PlanOrder::Removal;
+  PlanOrder order_ = PlanOrder::Assembly;
   QLabel* summary_;
   PartPictures pictures_;
   StepTable* table_;

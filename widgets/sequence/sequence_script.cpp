@@ -85,14 +85,13 @@ void addSequenceCommands(const Workbench& bench, SequenceController& sequence) {
     const auto number = numberIn(words[0], static_cast<double>(steps));
     if (!number) return number.error();
     const auto place = static_cast<std::size_t>(*number);
-    const std::size_t step = panel.order() == PlanOrder::Assembly ? steps - place : place - 1;
-    return place > 0 && panel.chooseStep(step) ? Outcome(Done{}) : wrongCommand("there is no step " + words[0]);
+    return place > 0 && panel.chooseStep(place - 1) ? Outcome(Done{}) : wrongCommand("there is no step " + words[0]);
   });
   scripts.add("seek-sequence", 1, [&panel](const Words& words) -> Outcome {
     const auto share = numberIn(words[0], 1.0);
     if (!share) return share.error();
     const double steps = panel.shown().plan ? static_cast<double>(panel.shown().plan->steps.size()) : 0.0;
-    panel.showTime(steps * (panel.order() == PlanOrder::Assembly ? 1.0 - *share : *share));
+    panel.showTime(steps * *share);
     return Done{};
   });
   scripts.add("explode", 1, [&panel](const Words& words) -> Outcome {

@@ -73,15 +73,32 @@ QString checkTip(StepCheck check) {
   return StepTable::tr("not valid in this arrangement");
 }
 
-/// Shows the beginning of texts that are too long.
-class BeginningDelegate final : public QStyledItemDelegate {
+/// Shows whole words of lines that are too long, because a number that is cut reads as another number.
+class WholeWordsDelegate final : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
 
  protected:
   void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+    constexpr int kCellMargin = 8;
     QStyledItemDelegate::initStyleOption(option, index);
-    option->textElideMode = Qt::ElideRight;
+    const int picture = option->icon.isNull() ? 0 : option->decorationSize.width() + kCellMargin;
+    const int width = option->rect.width() - picture - kCellMargin;
+    QStringList lines = option->text.split(QChar::LineSeparator);
+    for (QString& line : lines) line = wholeWords(line, option->fontMetrics, width);
+    option->text = lines.join(QChar::LineSeparator);
+  }
+
+ private:
+  static QString wholeWords(const QString& line, const QFontMetrics& metrics, int width) {
+    QString shown = line;
+    for (QString rest = line; metrics.horizontalAdvance(shown) > width;) {
+      const int end = rest.lastIndexOf(QLatin1Char(' '));
+      if (end < 0) return line;  // the table cuts a single word
+      rest.truncate(end);
+      shown = rest + QStringLiteral(" …");
+    }
+    return shown;
   }
 };
 
@@ -144,7 +161,7 @@ StepTable::StepTable(IconOf iconOf, QWidget* parent) : QTreeWidget(parent), icon
   setIconSize({kPictureSize, kPictureSize});
   setTextElideMode(Qt::ElideMiddle);
   setItemDelegateForColumn(StepNumber, new WrappedDelegate(this));
-  setItemDelegateForColumn(StepTools, new BeginningDelegate(this));
+  for (const int column : {StepPart, StepTools}) setItemDelegateForColumn(column, new WholeWordsDelegate(this));
   setAccessibleName(tr("Steps of the sequence"));
   header()->setSectionResizeMode(QHeaderView::Interactive);
   header()->setMinimumSectionSize(20);
@@ -179,6 +196,8 @@ void StepTable::show(const ShownPlan& shown, PlanOrder order) {
   clear();
   const std::size_t steps = shown.plan ? shown.plan->steps.size() : 0;
   for (std::size_t place = 0; place < steps; ++place) addStep(place);
+  const std::size_t before = shown.growing && shown.before ? shown.before->steps.size() : 0;
+  for (std::size_t i = steps; i < before; ++i) addOfBefore(order == PlanOrder::Assembly ? before - 1 - i + steps : i);
   if (shown.plan && !shown.growing) {
     for (const StuckBody& stuck : shown.plan->stuck) addStuck(stuck);
   }
@@ -288,6 +307,16 @@ void StepTable::addUnreached(const SubassemblyLine& line, const LineAccess& acce
                       accessText(access.steps[i], shown_.product->bodies));
   }
   for (std::size_t i = 0; i < access.lines.size(); ++i) addUnreached(line.lines[i], access.lines[i], texts);
+}
+
+/// Adds a grey row with a step of the plan of before, which the new plan has not reached.
+void StepTable::addOfBefore(std::size_t step) {
+  const AssemblyStep& old = shown_.before->steps[step];
+  auto* row = new QTreeWidgetItem(this);
+  row->setFlags(Qt::NoItemFlags);
+  const QString work = QString::fromStdString(windowPlanWords().work(old, *shown_.product, order_));
+  row->setText(StepPart, twoLines(QString::fromStdString(nameOfStep(old, *shown_.product)), work));
+  row->setText(StepState, tr("of before"));
 }
 
 /// Adds a row with the full reason and the next action, over all columns.

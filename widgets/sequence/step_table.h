@@ -23,6 +23,7 @@ struct ShownPlan {
   std::vector<std::optional<double>> foundAfter;  ///< seconds, for each step; nothing: not found here
   PlanCheck check{};                              ///< result of the independent check
   PlanAccessPtr access{};                         ///< access of a hand to each step; null: not analysed
+  PlanPtr before{};  ///< the plan of before, which is shown grey while `plan` grows; null: none
 };
 
 /// Steps of an assembly plan, two lines for each row, and stuck parts with the whole reason. Steps can be dragged to
@@ -64,6 +65,7 @@ class StepTable final : public QTreeWidget {
  private:
   void addStep(std::size_t place);
   void addStuck(const StuckBody& stuck);
+  void addOfBefore(std::size_t step);
   void fitColumns();
   QStringList unreachedInside(std::size_t step) const;
   void addUnreached(const SubassemblyLine& line, const LineAccess& access, QStringList& texts) const;
@@ -72,7 +74,7 @@ class StepTable final : public QTreeWidget {
 
   IconOf iconOf_;
   ShownPlan shown_;
-  PlanOrder order_ = PlanOrder::Removal;
+  PlanOrder order_ = PlanOrder::Assembly;
 };
 
 /// The words for plans in the language of the window.

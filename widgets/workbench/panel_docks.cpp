@@ -7,6 +7,8 @@
 #include <QScrollArea>
 #include <QStyle>
 #include <QTabBar>
+#include <QTabWidget>
+#include <QTimer>
 #include <QToolBar>
 #include <QTreeView>
 
@@ -15,15 +17,27 @@
 namespace glissade {
 namespace {
 
+/// Grows when docks are added or renamed, because an older layout would hide them.
+constexpr int kLayoutVersion = 3;
+
 /// Largest minimum width of a panel: a screen of 1920 pixels at 200 % has room for two columns of this width beside the
 /// scene.
 constexpr int kWidestLeast = 300;
 constexpr int kLeftWidth = 325;
+constexpr int kRightWidth = 350;
+constexpr int kTableWidth = 455;
 constexpr int kLeastSceneWidth = 280;
 constexpr int kLeastStackedHeight = 600;   ///< minimum height of a window with two panels above each other
 constexpr double kUsualTextHeight = 15.0;  ///< pixels, for 9 points
 /// Minimum height of a list: a header and a row, so that a small screen has room for two panels above each other.
 constexpr int kLeastListHeight = 36;
+
+/// Property of a panel: the id of the action that raises it; empty: none.
+constexpr const char* kPanelAction = "panel-action";
+/// Property of a dock: its number in the order in which the docks were added.
+constexpr const char* kDockNumber = "number";
+/// Property of a panel with a table that got its room.
+constexpr const char* kHasRoom = "has-room";
 
 Qt::DockWidgetArea areaOf(DockPlace place) {
   return place == DockPlace::Left ? Qt::LeftDockWidgetArea : Qt::RightDockWidgetArea;
@@ -53,8 +67,21 @@ class PanelScroll final : public QScrollArea {
   }
 };
 
-/// Lets tab bars scroll if they have no room for all tabs, so that the names on tabs are not cut.
-class WholeTabNames final : public QObject {
+/// Lets a tab bar scroll if it has no room for all tabs, so that the names on tabs are not cut.
+void showWholeNames(QTabBar& tabs) {
+  tabs.setUsesScrollButtons(true);
+  tabs.setElideMode(Qt::ElideNone);
+}
+
+/// A panel that floats is behind a window that is shown later.
+void raiseFloating(QMainWindow& window) {
+  for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+    if (dock->isFloating() && !dock->isHidden()) dock->raise();
+  }
+}
+
+/// Shows the whole names on the tabs that the window makes for docks at the same place, and raises panels that float.
+class TabsAndFloats final : public QObject {
  public:
   using QObject::QObject;
 
@@ -62,16 +89,17 @@ class WholeTabNames final : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override {
     if (event->type() == QEvent::ChildPolished) {
       auto* tabs = qobject_cast<QTabBar*>(static_cast<QChildEvent*>(event)->child());
-      if (tabs == nullptr) return false;
-      tabs->setUsesScrollButtons(true);
-      tabs->setElideMode(Qt::ElideNone);
+      if (tabs != nullptr) showWholeNames(*tabs);
+    } else if (event->type() == QEvent::Show) {
+      auto* window = static_cast<QMainWindow*>(watched);
+      QTimer::singleShot(0, window, [window] { raiseFloating(*window); });
     }
     return QObject::eventFilter(watched, event);
   }
 };
 
-QWidget* scrolled(const Panel& panel, QDockWidget* dock) {
-  if (panel.scrolling == Scrolling::Whole) return new PanelScroll(panel, dock);
+QWidget* scrolled(const Panel& panel, QWidget* parent) {
+  if (panel.scrolling == Scrolling::Whole) return new PanelScroll(panel, parent);
   for (QTreeView* list : panel.content->findChildren<QTreeView*>()) list->setMinimumHeight(kLeastListHeight);
   return panel.content;
 }
@@ -91,44 +119,85 @@ std::vector<QWidget*> tabStopsOf(QDockWidget& dock) {
 QList<QDockWidget*> docksInOrder(const QMainWindow& window) {
   QList<QDockWidget*> docks = window.findChildren<QDockWidget*>();
   std::sort(docks.begin(), docks.end(), [](const QDockWidget* a, const QDockWidget* b) {
-    return a->property(kPanelNumber).toInt() < b->property(kPanelNumber).toInt();
+    return a->property(kDockNumber).toInt() < b->property(kDockNumber).toInt();
   });
   return docks;
 }
 
+std::vector<NamedPanel> panelsInOrder(const QMainWindow& window) {
+  std::vector<NamedPanel> panels;
+  for (const QDockWidget* dock : docksInOrder(window)) {
+    const auto* tabs = qobject_cast<const QTabWidget*>(dock->widget());
+    for (int i = 0; tabs != nullptr && i < tabs->count(); ++i) {
+      QString title = dock->windowTitle();
+      if (tabs->count() > 1) title += QStringLiteral(" > ") + tabs->tabText(i);
+      panels.push_back({tabs->widget(i)->objectName(), title, tabs->widget(i)->property(kPanelAction).toString()});
+    }
+  }
+  return panels;
+}
+
+const QWidget* panelOf(const QWidget* widget) {
+  while (widget != nullptr && !widget->property(kPanelAction).isValid()) widget = widget->parentWidget();
+  return widget;
+}
+
 PanelDocks::PanelDocks(QMainWindow& window, const ActionCatalogue& actions) : window_(window), actions_(actions) {
-  window.installEventFilter(new WholeTabNames(&window));
+  window.installEventFilter(new TabsAndFloats(&window));
+}
+
+void PanelDocks::addDock(const DockSpec& spec) {
+  auto* dock = new QDockWidget(spec.title, &window_);
+  dock->setObjectName(QLatin1String(spec.id));
+  dock->setProperty(kDockNumber, static_cast<int>(docks_.size()));
+  auto* tabs = new QTabWidget(dock);
+  tabs->setDocumentMode(true);
+  tabs->setTabBarAutoHide(true);
+  // The bar takes the focus itself: a proxy that is hidden would stop Tab.
+  tabs->setFocusProxy(nullptr);
+  tabs->setFocusPolicy(Qt::NoFocus);
+  showWholeNames(*tabs->tabBar());
+  tabs->tabBar()->setAccessibleName(spec.title);
+  const auto makeRoom = [this, dock, tabs] {
+    const bool isSeen = window_.isVisible() && dock->isVisible() && tabs->currentWidget() != nullptr;
+    if (isSeen && tabs->currentWidget()->property(kHasRoom).isValid()) makeRoomForTable(*dock, *tabs->currentWidget());
+  };
+  QObject::connect(dock, &QDockWidget::visibilityChanged, dock, [makeRoom](bool visible) {
+    if (visible) makeRoom();
+  });
+  QObject::connect(tabs, &QTabWidget::currentChanged, dock, makeRoom);
+  dock->setWidget(tabs);
+  docks_.push_back({spec, dock, tabs});
+}
+
+const PanelDocks::Dock& PanelDocks::dockOf(const char* id) const {
+  return *std::find_if(docks_.begin(), docks_.end(),
+                       [id](const Dock& dock) { return QLatin1String(dock.spec.id) == QLatin1String(id); });
 }
 
 void PanelDocks::add(const Panel& panel) {
-  auto* dock = new QDockWidget(panel.title, &window_);
-  dock->setObjectName(QLatin1String(panel.id));
-  dock->setProperty(kPanelAction, QLatin1String(panel.action));
-  dock->setProperty(kPanelNumber, static_cast<int>(docks_.size()));
-  if (panel.action[0] != '\0') {
-    QObject::connect(actions_[QLatin1String(panel.action)], &QAction::triggered, dock, [dock, content = panel.content] {
-      dock->show();
-      dock->raise();
-      if (auto* list = content->findChild<QTreeView*>()) list->setFocus(Qt::ShortcutFocusReason);
-    });
-  }
-  if (panel.scrolling == Scrolling::Table) {
-    QObject::connect(dock, &QDockWidget::visibilityChanged, dock, [this, dock](bool visible) {
-      if (visible && window_.isVisible()) makeRoomForTable(*dock);
-    });
-  }
-  dock->setWidget(scrolled(panel, dock));
-  docks_.push_back({panel, dock});
+  const Dock& dock = dockOf(panel.dock);
+  QWidget* page = scrolled(panel, dock.tabs);
+  page->setObjectName(QLatin1String(panel.id));
+  page->setProperty(kPanelAction, QLatin1String(panel.action));
+  if (panel.scrolling == Scrolling::Table) page->setProperty(kHasRoom, false);
+  dock.tabs->addTab(page, panel.title);
+  if (panel.action[0] == '\0') return;
+  QObject::connect(actions_[QLatin1String(panel.action)], &QAction::triggered, page,
+                   [widget = dock.widget, tabs = dock.tabs, page, content = panel.content] {
+                     tabs->setCurrentWidget(page);
+                     widget->show();
+                     widget->raise();
+                     if (auto* list = content->findChild<QTreeView*>()) list->setFocus(Qt::ShortcutFocusReason);
+                   });
 }
 
-void PanelDocks::makeRoomForTable(QDockWidget& dock) {
-  constexpr int kWidth = 455;
+void PanelDocks::makeRoomForTable(QDockWidget& dock, QWidget& page) {
   constexpr double kHeight = 0.57;  // share of the window's height
-  constexpr const char* kHasRoom = "has-room";
-  if (inOneColumn_ || dock.isFloating() || dock.property(kHasRoom).toBool()) return;
-  dock.setProperty(kHasRoom, true);
+  if (inOneColumn_ || dock.isFloating() || page.property(kHasRoom).toBool()) return;
+  page.setProperty(kHasRoom, true);
   const int height = static_cast<int>(kHeight * window_.height());
-  window_.resizeDocks({&dock}, {std::max(dock.width(), kWidth)}, Qt::Horizontal);
+  window_.resizeDocks({&dock}, {std::max(dock.width(), kTableWidth)}, Qt::Horizontal);
   window_.resizeDocks({&dock}, {std::max(dock.height(), height)}, Qt::Vertical);
 }
 
@@ -142,23 +211,12 @@ void PanelDocks::orderTabStops() {
   }
 }
 
-QDockWidget* PanelDocks::firstOf(DockPlace place) const {
-  const auto first =
-      std::find_if(docks_.begin(), docks_.end(), [place](const Dock& dock) { return dock.panel.place == place; });
-  return first->widget;
+bool PanelDocks::isShownAtFirst(const Dock& dock) const {
+  return std::find(dock.spec.workspaces.begin(), dock.spec.workspaces.end(), workspace_) != dock.spec.workspaces.end();
 }
 
-/// The width at which the tabs of the lower panels show their names, which are longer in French.
-int PanelDocks::usualRightWidth() const {
-  constexpr int kAroundName = 26;
-  const QFontMetrics metrics(window_.font());
-  int tabs = 0;
-  for (const Dock& dock : docks_) {
-    const bool isThere =
-        dock.panel.place == DockPlace::LowerRight && (!dock.panel.hasContent || dock.panel.hasContent());
-    if (isThere) tabs += metrics.horizontalAdvance(dock.widget->windowTitle()) + kAroundName;
-  }
-  return std::clamp(tabs, static_cast<int>(340 * textScale()), static_cast<int>(400 * textScale()));
+DockPlace PanelDocks::placeOf(const Dock& dock) const {
+  return workspace_ == Workspace::Assembly ? dock.spec.placeInAssembly.value_or(dock.spec.place) : dock.spec.place;
 }
 
 double PanelDocks::textScale() const {
@@ -173,6 +231,7 @@ bool PanelDocks::isSmall() const {
 void PanelDocks::setRoom(const QSize& room) {
   room_ = room;
   const QSize least = window_.minimumSizeHint();
+  if (isSmall() != inOneColumn_) layouts_.clear();
   if (isSmall() != inOneColumn_ || least.width() > room.width() || least.height() > room.height()) arrange();
 }
 
@@ -186,46 +245,93 @@ void PanelDocks::showTitles() {
   }
 }
 
-/// Makes the panels of a place tabs, because small screens have no room for all of them at once.
-void PanelDocks::tabify(QDockWidget* first, DockPlace place) {
-  QDockWidget* before = first;
-  for (const Dock& dock : docks_) {
-    if (dock.widget == first || (!inOneColumn_ && dock.panel.place != place)) continue;
-    window_.tabifyDockWidget(before, dock.widget);
-    before = dock.widget;
+/// Puts docks to one place of the window, as tabs; the first one that is shown is in front.
+QDockWidget* PanelDocks::putTogether(Qt::DockWidgetArea area, const std::vector<const Dock*>& docks) {
+  QDockWidget* front = nullptr;
+  for (const Dock* dock : docks) {
+    dock->widget->setFloating(false);
+    window_.addDockWidget(area, dock->widget);
+    if (dock != docks.front()) window_.tabifyDockWidget(docks.front()->widget, dock->widget);
+    dock->widget->setVisible(isShownAtFirst(*dock));
+    if (front == nullptr && isShownAtFirst(*dock)) front = dock->widget;
   }
+  if (front != nullptr) front->raise();
+  return front;
 }
 
 void PanelDocks::arrange() {
   inOneColumn_ = isSmall();
   showTitles();
   for (const Dock& dock : docks_) window_.removeDockWidget(dock.widget);
-  for (const DockPlace place : {DockPlace::Left, DockPlace::UpperRight, DockPlace::LowerRight}) {
-    if (inOneColumn_ && place != DockPlace::Left) continue;
-    window_.addDockWidget(inOneColumn_ ? Qt::RightDockWidgetArea : areaOf(place), firstOf(place));
-    tabify(firstOf(place), place);
-  }
-  for (const Dock& dock : docks_) {
-    dock.widget->setFloating(false);
-    dock.widget->show();
-  }
-  for (const Dock& dock : docks_) {
-    if (dock.panel.hasContent) dock.widget->setVisible(dock.panel.hasContent());
-  }
   for (QToolBar* tools : window_.findChildren<QToolBar*>(QStringLiteral("tools"))) tools->show();
-  QDockWidget* left = firstOf(DockPlace::Left);
   if (inOneColumn_) {
-    left->raise();
-    const int widest = std::max(kWidestLeast, room_.width() - kLeastSceneWidth);
-    window_.resizeDocks({left}, {std::min(static_cast<int>(kLeftWidth * textScale()), widest)}, Qt::Horizontal);
-    return;
+    arrangeInOneColumn();
+  } else {
+    arrangeInColumns();
   }
-  QDockWidget* upper = firstOf(DockPlace::UpperRight);
-  QDockWidget* lower = firstOf(DockPlace::LowerRight);
-  upper->raise();
-  lower->raise();
-  window_.resizeDocks({left, upper}, {static_cast<int>(kLeftWidth * textScale()), usualRightWidth()}, Qt::Horizontal);
-  window_.resizeDocks({upper, lower}, {330, 300}, Qt::Vertical);
+}
+
+void PanelDocks::arrangeInOneColumn() {
+  std::vector<const Dock*> all;
+  for (const Dock& dock : docks_) all.push_back(&dock);
+  QDockWidget* front = putTogether(Qt::RightDockWidgetArea, all);
+  const int widest = std::max(kWidestLeast, room_.width() - kLeastSceneWidth);
+  if (front != nullptr) {
+    window_.resizeDocks({front}, {std::min(static_cast<int>(kLeftWidth * textScale()), widest)}, Qt::Horizontal);
+  }
+}
+
+void PanelDocks::arrangeInColumns() {
+  QList<QDockWidget*> widths;
+  QList<QDockWidget*> heights;
+  for (const DockPlace place : {DockPlace::Left, DockPlace::UpperRight, DockPlace::LowerRight}) {
+    std::vector<const Dock*> docks;
+    for (const Dock& dock : docks_) {
+      if (placeOf(dock) == place) docks.push_back(&dock);
+    }
+    QDockWidget* front = putTogether(areaOf(place), docks);
+    if (front == nullptr) continue;
+    widths << front;
+    if (place != DockPlace::Left) heights << front;
+  }
+  for (QDockWidget* dock : widths) {
+    const bool isLeft = window_.dockWidgetArea(dock) == Qt::LeftDockWidgetArea;
+    window_.resizeDocks({dock}, {static_cast<int>((isLeft ? kLeftWidth : kRightWidth) * textScale())}, Qt::Horizontal);
+  }
+  if (heights.size() == 2) window_.resizeDocks(heights, {330, 300}, Qt::Vertical);
+}
+
+void PanelDocks::show(Workspace workspace) {
+  if (workspace == workspace_) return;
+  layouts_ = layouts();
+  workspace_ = workspace;
+  restore();
+}
+
+/// Shows the present workspace as it was left. Tool bars do not belong to workspaces.
+void PanelDocks::restore() {
+  const QByteArray layout = layouts_.value(workspace_);
+  QList<QToolBar*> hidden;
+  for (QToolBar* bar : window_.findChildren<QToolBar*>(QString(), Qt::FindDirectChildrenOnly)) {
+    if (bar->isHidden()) hidden << bar;
+  }
+  if (layout.isEmpty() || !window_.restoreState(layout, kLayoutVersion)) arrange();
+  for (QToolBar* bar : window_.findChildren<QToolBar*>(QString(), Qt::FindDirectChildrenOnly)) {
+    bar->setHidden(hidden.contains(bar));
+  }
+  raiseFloating(window_);
+}
+
+PanelDocks::Layouts PanelDocks::layouts() const {
+  Layouts all = layouts_;
+  all[workspace_] = window_.saveState(kLayoutVersion);
+  return all;
+}
+
+void PanelDocks::setLayouts(const Layouts& layouts, Workspace workspace) {
+  layouts_ = layouts;
+  workspace_ = workspace;
+  restore();
 }
 
 }  // namespace glissade

@@ -1,64 +1,98 @@
 #pragma once
 
 #include <QMainWindow>
-#include <functional>
+#include <QMap>
+
+#include <optional>
 #include <vector>
 
 #include "widgets/controls/action_catalogue.h"
+#include "widgets/workbench/workspace.h"
+
+class QTabWidget;
 
 namespace glissade {
 
-/// Property of a panel's dock: the id of the action that raises it; empty: none.
-inline constexpr const char* kPanelAction = "action";
-/// Property of a panel's dock: its number in the order in which the panels were added.
-inline constexpr const char* kPanelNumber = "number";
-
-/// The docks in the order in which they were added.
-QList<QDockWidget*> docksInOrder(const QMainWindow& window);
-
-/// The first place of a panel. Panels of one place share it as tabs, in the order in which they were added.
+/// The first place of a dock. Docks of one place share it as tabs, in the order in which they were added.
 enum class DockPlace { Left, UpperRight, LowerRight };
 
 /// How a panel scrolls: a panel of fixed rows as a whole, a panel with lists in its lists. A table of many columns also
 /// gets room when it is raised.
 enum class Scrolling { Whole, Own, Table };
 
-struct Panel {
+struct DockSpec {
   QString title;
   const char* id;  ///< object name of the dock; its layout is remembered by this name
-  QWidget* content;
   DockPlace place;
-  const char* action = "";  ///< id of the action that raises the panel and gives the focus to its list
-  Scrolling scrolling = Scrolling::Whole;
-  std::function<bool()> hasContent = {};  ///< if false, the panel is hidden at first; empty: the panel is always shown
+  std::vector<Workspace> workspaces;                        ///< that show the dock at first
+  std::optional<DockPlace> placeInAssembly = std::nullopt;  ///< its place in that workspace, if it is another
 };
 
-/// The docks of the window's panels, and their first layout.
+/// A panel of a dock. Several panels of one dock are its tabs.
+struct Panel {
+  const char* dock;
+  QString title;   ///< of its tab; a dock of one panel shows only its own title
+  const char* id;  ///< object name of the panel
+  QWidget* content;
+  const char* action = "";  ///< id of the action that raises the panel and gives the focus to its list
+  Scrolling scrolling = Scrolling::Whole;
+};
+
+/// A panel as the manual names it.
+struct NamedPanel {
+  QString id;
+  QString title;   ///< "Path", or "Path > Kept paths" where the dock has several panels
+  QString action;  ///< id of the action that raises it; empty: none
+};
+
+/// The panels of the window, in the order of their docks.
+std::vector<NamedPanel> panelsInOrder(const QMainWindow& window);
+/// The docks in the order in which they were added.
+QList<QDockWidget*> docksInOrder(const QMainWindow& window);
+/// The panel that contains the widget; null: none.
+const QWidget* panelOf(const QWidget* widget);
+
+/// The docks of the window's panels, and their layout in each workspace.
 class PanelDocks final {
  public:
+  using Layouts = QMap<Workspace, QByteArray>;
+
   PanelDocks(QMainWindow& window, const ActionCatalogue& actions);
 
+  void addDock(const DockSpec& dock);
   void add(const Panel& panel);
   /// Lets Tab go through the panels in the order in which they were added.
   void orderTabStops();
-  /// Puts all docks and tool bars to their first places: beside the scene on both sides, or all as tabs of one column
-  /// if the window is too small for that.
+  /// Puts the docks of the workspace and all tool bars to their first places: beside the scene on both sides, or all as
+  /// tabs of one column if the window is too small for that.
   void arrange();
   /// Sets the maximum size of the window, pixels. Arranges the docks again if they do not fit.
   void setRoom(const QSize& room);
 
+  Workspace workspace() const { return workspace_; }
+  /// Shows the panels of a workspace as they were left.
+  void show(Workspace workspace);
+  /// The layouts of the workspaces that were shown.
+  Layouts layouts() const;
+  void setLayouts(const Layouts& layouts, Workspace workspace);
+
  private:
   struct Dock {
-    Panel panel;
+    DockSpec spec;
     QDockWidget* widget;
+    QTabWidget* tabs;
   };
-  QDockWidget* firstOf(DockPlace place) const;
-  int usualRightWidth() const;
-  void tabify(QDockWidget* first, DockPlace place);
+  const Dock& dockOf(const char* id) const;
+  bool isShownAtFirst(const Dock& dock) const;
+  DockPlace placeOf(const Dock& dock) const;
+  QDockWidget* putTogether(Qt::DockWidgetArea area, const std::vector<const Dock*>& docks);
+  void restore();
+  void arrangeInColumns();
+  void arrangeInOneColumn();
   bool isSmall() const;
   /// Makes a raised dock large enough for a table of some rows with buttons, unless it floats. It does so once for each
-  /// dock; afterwards the person sets the size.
-  void makeRoomForTable(QDockWidget& dock);
+  /// panel; afterwards the person sets the size.
+  void makeRoomForTable(QDockWidget& dock, QWidget& page);
   void showTitles();
   /// Ratio of the present size of texts to the usual one, at least 1.
   double textScale() const;
@@ -68,6 +102,8 @@ class PanelDocks final {
   std::vector<Dock> docks_;
   QSize room_{1280, 720};
   bool inOneColumn_ = false;
+  Workspace workspace_ = Workspace::Assembly;
+  Layouts layouts_;
 };
 
 }  // namespace glissade

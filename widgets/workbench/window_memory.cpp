@@ -13,12 +13,10 @@ namespace glissade {
 namespace {
 
 constexpr int kMostFiles = 10;
-/// Grows when panels are added or renamed, because an older layout would hide them.
-constexpr int kLayoutVersion = 2;
 
 const QLatin1String kFiles("recent-files");
 const QLatin1String kFolders("folders/");
-const QLatin1String kState("layout/panels");
+const QLatin1String kLayout("layout/");
 const QLatin1String kGeometry("layout/window");
 
 const QLatin1String kLanguage("preferences/language");
@@ -86,14 +84,22 @@ void WindowMemory::noteFolder(const QString& purpose, const QString& folder) {
   settings_.setValue(kFolders + purpose, folder);
 }
 
-void WindowMemory::saveLayout(const QMainWindow& window) {
-  settings_.setValue(kState, window.saveState(kLayoutVersion));
-  settings_.setValue(kGeometry, window.saveGeometry());
+QByteArray WindowMemory::windowGeometry() const { return settings_.value(kGeometry).toByteArray(); }
+
+PanelDocks::Layouts WindowMemory::layouts() const {
+  PanelDocks::Layouts layouts;
+  for (const Workspace workspace : kWorkspaces) {
+    const QByteArray layout = settings_.value(kLayout + QLatin1String(kWorkspaceActions.of(workspace))).toByteArray();
+    if (!layout.isEmpty()) layouts[workspace] = layout;
+  }
+  return layouts;
 }
 
-void WindowMemory::restoreLayout(QMainWindow& window, bool sizeToo) const {
-  if (sizeToo) window.restoreGeometry(settings_.value(kGeometry).toByteArray());
-  window.restoreState(settings_.value(kState).toByteArray(), kLayoutVersion);
+void WindowMemory::saveLayouts(const PanelDocks::Layouts& layouts, const QByteArray& geometry) {
+  for (auto layout = layouts.begin(); layout != layouts.end(); ++layout) {
+    settings_.setValue(kLayout + QLatin1String(kWorkspaceActions.of(layout.key())), layout.value());
+  }
+  settings_.setValue(kGeometry, geometry);
 }
 
 NamedViews WindowMemory::views(const QString& file) const {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QMainWindow>
 #include <QSettings>
 #include <QStringList>
 
@@ -8,6 +7,7 @@
 #include "engine/sequence/work_times.h"
 #include "widgets/controls/action_catalogue.h"
 #include "widgets/workbench/named_views.h"
+#include "widgets/workbench/panel_docks.h"
 #include "widgets/workbench/preferences.h"
 #include "widgets/workbench/stereo_settings.h"
 
@@ -29,10 +29,11 @@ class WindowMemory {
   void noteFile(const QString& file);
   void forgetFiles();
 
-  void saveLayout(const QMainWindow& window);
-  /// Restores the layout; does nothing if no layout of this version was saved. `sizeToo`: also restores size and place
-  /// on the screen.
-  void restoreLayout(QMainWindow& window, bool sizeToo) const;
+  /// Size and place of the window on the screen; empty: none was saved.
+  QByteArray windowGeometry() const;
+  /// The layouts of the workspaces that were shown.
+  PanelDocks::Layouts layouts() const;
+  void saveLayouts(const PanelDocks::Layouts& layouts, const QByteArray& geometry);
 
   /// The last folder of a purpose, by its key; empty: none.
   QString folder(const QString& purpose) const;

@@ -12,6 +12,7 @@
 #include "widgets/workbench/script_commands.h"
 #include "widgets/workbench/shown_run.h"
 #include "widgets/workbench/work_controller.h"
+#include "widgets/workbench/workspace.h"
 
 namespace glissade {
 
@@ -34,6 +35,13 @@ struct Workbench {
   template <class Handler>
   void onAction(const char* id, QObject* context, Handler handler) const {
     QObject::connect(actions[QLatin1String(id)], &QAction::triggered, context, handler);
+  }
+  /// Shows a panel in the workspace of its task; the workspace of studies has all tasks.
+  void bringToFront(Workspace task, const char* panel) const {
+    if (!actions[kWorkspaceActions.of(Workspace::Study)]->isChecked()) {
+      actions[kWorkspaceActions.of(task)]->setChecked(true);
+    }
+    actions[panel]->trigger();
   }
   void enable(const char* id, bool enabled) const { actions[QLatin1String(id)]->setEnabled(enabled); }
 };

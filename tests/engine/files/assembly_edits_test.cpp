@@ -45,6 +45,17 @@ TEST(AssemblyEdits, PutBodiesAndEndsSomewhere) {
   expectRefused(place(kStart, Pose::translation({std::nan(""), 0, 0}), scenario), "position in space");
 }
 
+TEST(AssemblyEdits, ABodyIsRenamedWithinItsAssembly) {
+  Scenario scenario = test::boxScenario();
+  scenario.bodies.front().name = "frame/left/block";
+  const std::string id = scenario.bodies.front().id;
+  ASSERT_TRUE(renameBody(id, "support", scenario).ok());
+  EXPECT_EQ(scenario.bodies.front().name, "frame/left/support");
+  for (const char* name : {"", "a/b"}) expectRefused(renameBody(id, name, scenario), "cannot have the name");
+  EXPECT_EQ(scenario.bodies.front().name, "frame/left/support");
+  EXPECT_FALSE(renameBody("nobody", "x", scenario).ok());
+}
+
 TEST(AssemblyEdits, SwappedTwiceIsTheSame) {
   Scenario scenario = test::boxScenario();
   const std::string before = writeScenario(scenario);

@@ -252,7 +252,23 @@ TEST(ForbiddenPlace, AfterTheRunItWithdrawsThePathAndAllowedAgainItIsCrossed) {
   ASSERT_NE(session->snapshot()->refused, nullptr);
   EXPECT_FALSE(session->snapshot()->refused->blocked.empty());
   session->post(command::SetSemantics{forbidding({})});
+  session->advance(0);
+  EXPECT_EQ(session->snapshot()->state, SessionState::Solved) << "the path holds again";
+  EXPECT_EQ(session->snapshot()->refused, nullptr);
+  EXPECT_NE(session->snapshot()->path, nullptr);
   EXPECT_EQ(ended(*session)->state, SessionState::Solved);
+}
+
+TEST(ForbiddenPlace, TheReasonOfAFailureEndsWithTheEditsThatItIsAbout) {
+  Problem problem = twoWindows();
+  problem.scene.edits = forbidding({problem.start.position});
+  const auto session = sessionOf(problem, "gts");
+  ASSERT_EQ(ended(*session)->state, SessionState::Failed);
+  ASSERT_TRUE(session->snapshot()->problem);
+  session->post(command::SetSemantics{forbidding({})});
+  session->advance(0);
+  EXPECT_EQ(session->snapshot()->state, SessionState::Idle);
+  EXPECT_FALSE(session->snapshot()->problem);
 }
 
 TEST(ForbiddenPlace, AGivenPathThroughItIsRefused) {

@@ -28,7 +28,7 @@ TEST_F(EnvironmentWindow, AComplexityChangesTheCoarsePathIsUndoneSavedAndThereAg
   const QString scenario = copyOf(QStringLiteral("shape-game"), QStringLiteral("tight-circle.json"));
   const QString saved = QFileInfo(scenario).dir().filePath(QStringLiteral("saved.json"));
   expectGood(run(scenario, QStringLiteral("action layer.places\n"
-                                          "click 455 430\n"  // the narrow passage P4
+                                          "click 448 427\n"  // the narrow passage P4
                                           "expect-attribute complexity 3\n"
                                           "expect-way P1,P9,P2,P5,P3\n"
                                           "select place P9\n"

@@ -153,8 +153,8 @@ TEST_F(AssemblyWindow, TheGizmoMovesTurnsAndAlignsWhatIsSelected) {
                                 "expect-outside none\naction edit.undo\naction edit.undo\n"
                                 // The front of the body is aligned with the front of O3, then flipped; both are one
                                 // edit.
-                                "action assembly.align\nexpect-arranging no\nclick 303 224\nclick 430 278\n"
-                                "expect-arranging yes\naction panel.scene\nexpect-place O5 1393.59,775,300\n"
+                                "action assembly.align\nexpect-arranging no\nclick 298 224\nclick 423 277\n"
+                                "expect-arranging yes\naction panel.scene\nexpect-place O5 1393.495,775,300\n"
                                 "action assembly.flip\nexpect-place O5 1375,1025,300\n"
                                 "action edit.undo\nexpect-place O5 1375,1575,300\n"
                                 "key tap Esc\nexpect-arranging no\n"
@@ -169,14 +169,14 @@ TEST_F(AssemblyWindow, WhatIsArrangedMeetsFeaturesOfOtherBodies) {
                  // The drag of an arrow snaps to a face and is one edit. Without snapping the body stays where it was
                  // dropped.
                  QStringLiteral("action view.isometric\nselect body rod-nut-2\naction assembly.arrange\n"
-                                "hold-handle x 25 -12\nexpect-snap bracket-2\nkey tap Esc\nexpect-snap none\n"
-                                "drag-handle x 25 -12\nexpect-place rod-nut-2 -23.5,0,34\naction edit.undo\n"
-                                "action assembly.snap-features\nhold-handle x 25 -12\nexpect-snap none\nkey tap Esc\n"
+                                "hold-handle x 20 -10\nexpect-snap bracket-2\nkey tap Esc\nexpect-snap none\n"
+                                "drag-handle x 20 -10\nexpect-place rod-nut-2 -23.5,0,34\naction edit.undo\n"
+                                "action assembly.snap-features\nhold-handle x 20 -10\nexpect-snap none\nkey tap Esc\n"
                                 // The hint names the item under the pointer. A face of the nut is aligned with the
                                 // plate.
-                                "action assembly.align\nhover 205 275\nexpect-hint rod-nut-2\nclick 205 275\n"
-                                "hover 330 330\nexpect-hint plate\nexpect-place rod-nut-2 -30,0,34\n"
-                                "click 330 330\nexpect-arranging yes\nexpect-place rod-nut-2 -30,-8.4944,6.5\n"
+                                "action assembly.align\nhover 166 281\nexpect-hint rod-nut-2\nclick 166 281\n"
+                                "hover 267 326\nexpect-hint plate\nexpect-place rod-nut-2 -30,0,34\n"
+                                "click 267 326\nexpect-arranging yes\nexpect-place rod-nut-2 -30,-8.299,6.5\n"
                                 "action edit.undo\nexpect-place rod-nut-2 -30,0,34\n"
                                 // Measuring ends the alignment; Esc leaves it.
                                 "action assembly.align\naction measure.distance\nexpect-arranging no\n"

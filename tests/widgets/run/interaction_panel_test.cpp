@@ -10,17 +10,17 @@ namespace {
 
 class InteractionPanelTest : public testing::Test {
  protected:
-  QComboBox& list() { return *panel.findChild<QComboBox*>(QStringLiteral("strategy")); }
-  QStringList strategies() {
+  ResearchBox& list(const char* name = "strategy") { return *panel.findChild<ResearchBox*>(QLatin1String(name)); }
+  QStringList listed(const char* name = "strategy") {
     QStringList ids;
-    for (int i = 0; i < list().count(); ++i) {
-      if (!list().itemData(i).toString().isEmpty()) ids << list().itemData(i).toString();
+    for (int i = 0; i < list(name).count(); ++i) {
+      if (!list(name).itemData(i).toString().isEmpty()) ids << list(name).itemData(i).toString();
     }
     return ids;
   }
-  void choose(int row) {
-    list().setCurrentIndex(row);
-    emit list().activated(row);
+  void choose(int row, const char* name = "strategy") {
+    list(name).setCurrentIndex(row);
+    emit list(name).activated(row);
   }
   void showRunOf(const char* strategy) {
     SessionSnapshot snapshot;
@@ -31,23 +31,42 @@ class InteractionPanelTest : public testing::Test {
   InteractionPanel panel;
 };
 
-TEST_F(InteractionPanelTest, ListsThreeStrategiesAndTheOthersUnderAdvanced) {
+TEST_F(InteractionPanelTest, ListsThreeStrategiesAndTheOthersUnderResearch) {
   showRunOf("gts");
-  EXPECT_EQ(strategies(), (QStringList{"auto", "by-hand", "gts"}));
+  EXPECT_EQ(listed(), (QStringList{"auto", "by-hand", "gts"}));
   EXPECT_EQ(list().currentText(), QStringLiteral("Layers"));
   QSignalSpy commanded(&panel, &InteractionPanel::commanded);
   choose(list().count() - 1);
   EXPECT_TRUE(commanded.isEmpty()) << "the row is no strategy";
   EXPECT_EQ(list().currentText(), QStringLiteral("Layers"));
-  EXPECT_EQ(strategies().size(), static_cast<int>(makePlannerRegistry().entries().size()));
+  EXPECT_EQ(listed().size(), static_cast<int>(makePlannerRegistry().entries().size()));
   choose(list().findData(QStringLiteral("gt")));
   EXPECT_EQ(commanded.size(), 1);
 }
 
-TEST_F(InteractionPanelTest, ShowsAnAdvancedStrategyThatIsInForce) {
+TEST_F(InteractionPanelTest, ShowsAStrategyOfResearchThatIsInForce) {
   showRunOf("ompl-prm");
-  EXPECT_EQ(list().currentData().toString(), QStringLiteral("ompl-prm"));
-  EXPECT_EQ(strategies().size(), static_cast<int>(makePlannerRegistry().entries().size()));
+  EXPECT_EQ(list().chosen(), QStringLiteral("ompl-prm"));
+  EXPECT_EQ(listed().size(), static_cast<int>(makePlannerRegistry().entries().size()));
+}
+
+TEST_F(InteractionPanelTest, ADeviceThatIsNotThereIsGreyAndSaysWhy) {
+  const auto hand = std::make_shared<HandInputs>();
+  panel.setHand(hand);
+  panel.setDevice(kAnyDevice);
+  EXPECT_EQ(listed("operator"), QStringList{kAnyDevice});
+  choose(list("operator").count() - 1, "operator");
+  const auto isGrey = [this](const char* id) {
+    const int row = list("operator").findData(QLatin1String(id));
+    return !(list("operator").model()->flags(list("operator").model()->index(row, 0)) & Qt::ItemIsEnabled) &&
+           list("operator").itemText(row).contains(QStringLiteral("not connected"));
+  };
+  for (const char* id : {"mouse6d", "gamepad", "left-controller", "right-controller"}) EXPECT_TRUE(isGrey(id)) << id;
+  for (const char* id : {kAnyDevice, "keyboard", "expert"}) EXPECT_FALSE(isGrey(id)) << id;
+  hand->gamepad.mailbox.connect("Pad");
+  list("operator").showPopup();
+  EXPECT_FALSE(isGrey("gamepad"));
+  EXPECT_EQ(list("operator").itemText(list("operator").findData(QStringLiteral("gamepad"))), QStringLiteral("Gamepad"));
 }
 
 }  // namespace

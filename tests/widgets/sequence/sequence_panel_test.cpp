@@ -28,6 +28,7 @@ class SequencePanelTest : public ::testing::Test {
     plan->stuck = {{"drawer", {"cabinet"}, Message("no motion was found, alone or with others")}};
     plan->end = PlanEnd::Stuck;
     shown = {product, plan, false, {0.5, std::nullopt}, {{StepCheck::Agrees, StepCheck::Disagrees}, {}}};
+    panel.setOrder(PlanOrder::Removal);
     panel.setPlan(shown);
   }
 

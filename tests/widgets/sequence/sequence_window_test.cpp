@@ -130,7 +130,8 @@ TEST_F(SequenceWindow, WhatStaysIsUndoneAndKeptByTheScenario) {
 TEST_F(SequenceWindow, APersonMovesLocksAndForbidsStepsAndTakesItBack) {
   expectGood(runOnStand(
       QStringLiteral(
-          "plan-sequence all\nmove-step 7 2\nexpect-row 2 bar\nexpect-row 2 placed\nexpect-sequence steps 10\n"
+          "action sequence.assembly-order\nplan-sequence all\nmove-step 7 2\nexpect-row 2 bar\nexpect-row 2 "
+          "placed\nexpect-sequence steps 10\n"
           "show-step 8\naction sequence.lock\nexpect-row 8 locked\naction sequence.step-down\n"
           "expect-row 9 cap_left\nexpect-sequence steps 10\nexport-sequence %1\naction edit.undo\n"
           "expect-row 8 locked\naction edit.undo\naction edit.undo\nexpect-row 7 bar\n"
@@ -208,7 +209,7 @@ TEST_F(SequenceWindow, AGroupIsMovedByHandAndItsPathComesBack) {
 }
 
 TEST_F(SequenceWindow, EveryFormatIsWritten) {
-  expectGood(runOnStand(QStringLiteral("plan-sequence all\naction sequence.assembly-order\nexport-sequence %1\n"
+  expectGood(runOnStand(QStringLiteral("plan-sequence all\nexport-sequence %1\n"
                                        "export-sequence %2\nexport-sequence %3\nexport-sequence %4\n")
                             .arg(file("plan.html"), file("plan.pdf"), file("plan.csv"), file("plan.glb"))));
   const QByteArray page = content("plan.html");

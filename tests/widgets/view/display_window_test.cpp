@@ -47,7 +47,7 @@ TEST_F(DisplayWindow, ASectionOpensBodiesAndCloses) {
   ASSERT_EQ(run(QStringLiteral("environment-1"), script).exitCode, 0);
   EXPECT_GT(change("whole", "open"), 0.01);
   EXPECT_GT(change("open", "two"), 0.005);
-  EXPECT_EQ(change("whole", "again"), 0.0);
+  EXPECT_LT(change("whole", "again"), 0.0002) << "the view cube after the view had another size";
   EXPECT_EQ(run(QStringLiteral("environment-1"), QStringLiteral("section w 0.5\n")).exitCode, 3);
   EXPECT_EQ(run(QStringLiteral("environment-1"), QStringLiteral("section x 1.5\n")).exitCode, 3);
 }
@@ -58,7 +58,7 @@ TEST_F(DisplayWindow, SectionsAreAddedDraggedAndRemovedAndAGridIsShown) {
                              "action section.add-z\nexpect-sections 3\nsection x 0.25\nscreenshot %1/set.png\n"
                              "drag-section 1 30 20\nscreenshot %1/dragged.png\nsection x off\nexpect-sections 2\n"
                              "action section.handles\naction section.pick-face\nclick 300 330\nexpect-sections 3\n"
-                             "action section.remove-all\nexpect-sections 0\naction panel.scene\n"
+                             "action section.remove-all\nexpect-sections 0\n"
                              "screenshot %1/again.png\naction layer.grid\nscreenshot %1/grid.png\n")
                              .arg(folder.path());
   const WindowResult outcome = run(QStringLiteral("environment-1"), script);

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <QDir>
-#include <QDockWidget>
 #include <QTemporaryDir>
 
 #include "app/window/window_actions.h"
@@ -87,15 +86,6 @@ TEST_F(Memory, KeepsTheTemplateOfWorkInstructions) {
   EXPECT_EQ(WindowMemory(file()).instructionTemplate(), QStringLiteral("/somewhere/look.json"));
 }
 
-std::unique_ptr<QMainWindow> makeWindow() {
-  auto window = std::make_unique<QMainWindow>();
-  auto* dock = new QDockWidget(window.get());
-  dock->setObjectName(QStringLiteral("dock"));
-  window->addDockWidget(Qt::LeftDockWidgetArea, dock);
-  window->resize(640, 480);
-  return window;
-}
-
 TEST_F(Memory, KeepsPreferencesAndIgnoresSizesThatNobodyCouldRead) {
   EXPECT_EQ(WindowMemory(file()).preferences().language, QString());
   WindowMemory(file()).savePreferences({QStringLiteral("fr"), 12.5});
@@ -121,32 +111,12 @@ TEST(Language, IsThatOfTheCommandLineThenOfThePreferencesThenOfTheDesktop) {
   EXPECT_EQ(languageOf(QString(), {}, QStringLiteral("de")), QStringLiteral("en"));
 }
 
-TEST_F(Memory, TheLayoutComesBack) {
-  {
-    const auto window = makeWindow();
-    auto* dock = window->findChild<QDockWidget*>();
-    window->addDockWidget(Qt::RightDockWidgetArea, dock);
-    dock->hide();
-    window->resize(700, 500);
-    WindowMemory(file()).saveLayout(*window);
-  }
-  const WindowMemory memory(file());
-  const auto moved = makeWindow();
-  memory.restoreLayout(*moved, true);
-  auto* dock = moved->findChild<QDockWidget*>();
-  EXPECT_EQ(moved->dockWidgetArea(dock), Qt::RightDockWidgetArea);
-  EXPECT_TRUE(dock->isHidden());
-  EXPECT_EQ(moved->size(), QSize(700, 500));
-  const auto sized = makeWindow();
-  memory.restoreLayout(*sized, false);
-  EXPECT_EQ(sized->size(), QSize(640, 480));
-}
-
-TEST_F(Memory, NothingSavedChangesNothing) {
-  const auto window = makeWindow();
-  WindowMemory(file()).restoreLayout(*window, true);
-  EXPECT_EQ(window->size(), QSize(640, 480));
-  EXPECT_EQ(window->dockWidgetArea(window->findChild<QDockWidget*>()), Qt::LeftDockWidgetArea);
+TEST_F(Memory, TheLayoutOfEachWorkspaceComesBack) {
+  EXPECT_TRUE(WindowMemory(file()).layouts().isEmpty());
+  const PanelDocks::Layouts layouts{{Workspace::Assembly, "a"}, {Workspace::Study, "s"}};
+  WindowMemory(file()).saveLayouts(layouts, "size");
+  EXPECT_EQ(WindowMemory(file()).layouts(), layouts);
+  EXPECT_EQ(WindowMemory(file()).windowGeometry(), QByteArray("size"));
 }
 
 TEST_F(Memory, TheThemeIsTheDesktopsUntilOneIsChosen) {

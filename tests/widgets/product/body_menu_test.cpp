@@ -1,0 +1,72 @@
+// What a person does with a body: rename it in the list, select several with a box in the scene.
+#include <gtest/gtest.h>
+
+#include <QMouseEvent>
+
+#include "tests/app/whole_window.h"
+#include "widgets/product/scene_panel.h"
+
+namespace glissade {
+namespace {
+
+class BodyMenuTest : public test::WholeWindowTest {
+ protected:
+  BodyMenuTest() {
+    EXPECT_EQ(window_->openScenario(sample("bolted-brackets"), true), std::nullopt);
+    window_->show();
+    QApplication::processEvents();
+  }
+
+  WorkbenchDocument& document() { return window_->workbench().document; }
+  QAction* action(const char* id) { return window_->workbench().actions[id]; }
+  QWidget* scene() { return window_->workbench().scene.widget(); }
+
+  QTreeWidgetItem* rowOf(const std::string& id) {
+    auto* list = window_->findChild<ScenePanel*>();
+    for (QTreeWidgetItemIterator item(list); *item != nullptr; ++item) {
+      if ((*item)->data(0, Qt::UserRole).toString().toStdString() == id) return *item;
+    }
+    return nullptr;
+  }
+
+  void send(QEvent::Type type, const QPoint& at) {
+    const Qt::MouseButtons held = type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton;
+    const Qt::MouseButton button = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
+    QMouseEvent event(type, at, button, held, Qt::ControlModifier | Qt::ShiftModifier);
+    QCoreApplication::sendEvent(scene(), &event);
+  }
+  void drawBox(const QPoint& from, const QPoint& to) {
+    send(QEvent::MouseButtonPress, from);
+    send(QEvent::MouseMove, to);
+    send(QEvent::MouseButtonRelease, to);
+  }
+
+  std::unique_ptr<MainWindow> window_ = makeWindow();
+};
+
+TEST_P(BodyMenuTest, ABodyIsRenamedInTheListAndTheNameCanBeUndone) {
+  const std::string id = document().scenario()->obstacles.front().id;
+  ASSERT_NE(rowOf(id), nullptr);
+  const QString before = rowOf(id)->text(0);
+  rowOf(id)->setText(0, QStringLiteral("Support"));
+  EXPECT_EQ(rowOf(id)->text(0), QStringLiteral("Support"));
+  EXPECT_TRUE(document().isModified());
+  action("edit.undo")->trigger();
+  EXPECT_EQ(rowOf(id)->text(0), before);
+  rowOf(id)->setText(0, QStringLiteral("a/b"));
+  EXPECT_EQ(rowOf(id)->text(0), before) << "the name would be that of an assembly";
+}
+
+TEST_P(BodyMenuTest, ABoxSelectsTheBodiesInIt) {
+  drawBox({0, 0}, {scene()->width() - 1, scene()->height() - 1});
+  const SemanticDocument& semantics = document().semantics();
+  EXPECT_GT(semantics.selection().bodies.size(), 2);
+  EXPECT_FALSE(action("body.rename")->isEnabled()) << "several bodies";
+  drawBox({0, 0}, {3, 3});
+  EXPECT_TRUE(semantics.selection().bodies.isEmpty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Languages, BodyMenuTest, testing::Values("en"));
+
+}  // namespace
+}  // namespace glissade
