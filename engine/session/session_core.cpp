@@ -216,8 +216,8 @@ std::optional<std::string> SessionCore::forbiddenOn(const Path& path) const {
   return regions ? firstForbidden(path.configurations(), *regions) : std::nullopt;
 }
 
-/// Certifies the path among the present forbidden places, which its certificate states; a path that leads through one is
-/// withdrawn.
+/// Certifies the path among the present forbidden places, which its certificate states; a path that leads through one
+/// is withdrawn.
 void SessionCore::certifyAgain(const WorkWatch& watch) {
   PathExamination examination = examinePath(path_->points, problem_, parameters_, watch);
   if (!examination.complete) return;
