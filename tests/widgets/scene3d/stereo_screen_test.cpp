@@ -152,6 +152,7 @@ TEST_P(StereoScreenTest, TrueSizeIsThatOfTheScreen) {
 
 TEST_P(StereoScreenTest, AFullScreenShowsTheSceneAloneAndCommandsKeepTheirKeys) {
   const auto* panel = window_->findChild<QDockWidget*>(QStringLiteral("interaction"));
+  QCoreApplication::processEvents();
   const QRect place = panel->geometry();
   choose("view.full-screen");
   EXPECT_TRUE(window_->isFullScreen());
