@@ -5,7 +5,6 @@
 #include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <sstream>
 
 #include "app/cli/interrupt.h"
@@ -23,6 +22,7 @@
 #include "engine/documents/plan_tasks.h"
 #include "engine/documents/plan_words.h"
 #include "engine/sequence/fasteners.h"
+#include "engine/sequence/plan_bodies.h"
 #include "engine/sequence/product_finder.h"
 #include "engine/sequence/sequence_run.h"
 #include "engine/sequence/step_motion.h"
@@ -280,7 +280,7 @@ class PlanPrinter {
 
  private:
   void printSteps(const std::vector<AssemblyStep>& steps, const std::string& group, const std::string& before) const;
-  void printNotes(const AssemblyStep& step, const std::set<std::string>& left, const std::string& before) const;
+  void printNotes(const std::vector<AssemblyStep>& steps, std::size_t at, const std::string& before) const;
   void printStuck(const std::vector<StuckBody>& all, const std::string& before) const;
   void printLines(const std::vector<SubassemblyLine>& lines, std::size_t steps, const std::string& group,
                   const std::string& before) const;
@@ -317,7 +317,6 @@ Message PlanPrinter::motionOf(const AssemblyStep& step) const {
 /// the group of these steps.
 void PlanPrinter::printSteps(const std::vector<AssemblyStep>& steps, const std::string& group,
                              const std::string& before) const {
-  std::set<std::string> left;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const AssemblyStep& step = steps[i];
     std::string names = toRight(stepNumber(steps.size() - 1 - i, group), 4) + "  " + host_.namesOf(step);
@@ -325,15 +324,13 @@ void PlanPrinter::printSteps(const std::vector<AssemblyStep>& steps, const std::
       names += " (" + console_.text(CatalogueText{kFastenerNames.of(step.fastener)}) + ")";
     }
     printIndented(before, {GLISSADE_TEXT("%1: %2"), {names, motionOf(step)}});
-    printNotes(step, left, before + "      ");
-    for (const std::string& id : step.bodies()) left.insert(id);
+    printNotes(steps, i, before + "      ");
   }
 }
 
-/// Prints what is to be said of a step beside its motion. Allowances against bodies that have left count in other
-/// orders only; the plan file has them.
-void PlanPrinter::printNotes(const AssemblyStep& step, const std::set<std::string>& left,
-                             const std::string& before) const {
+/// Prints what is to be said of a step beside its motion.
+void PlanPrinter::printNotes(const std::vector<AssemblyStep>& steps, std::size_t at, const std::string& before) const {
+  const AssemblyStep& step = steps[at];
   const AssembledProduct& product = host_.product();
   for (const std::string& text : words_.joints(step, product, PlanOrder::Removal)) std::cout << before << text << "\n";
   if (step.tool.kind != ToolKind::None) {
@@ -345,8 +342,7 @@ void PlanPrinter::printNotes(const AssemblyStep& step, const std::set<std::strin
   for (const std::string& id : step.falling) {
     printIndented(before, {GLISSADE_TEXT("support: %1"), {host_.nameOf(id)}});
   }
-  for (const Allowance& allowance : step.allowances) {
-    if (left.count(allowance.body) != 0) continue;
+  for (const Allowance& allowance : allowancesInOrder(steps, at)) {
     printIndented(before, {GLISSADE_TEXT("allowance: %1"), {allowance.text}});
   }
 }

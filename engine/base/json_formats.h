@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
@@ -65,6 +66,20 @@ inline constexpr FunctionFormat kLengthOrZero{[](const JsonCursor& at) {
                                               },
                                               kAsItIs, R"({"type": "number", "minimum": 0})"};
 
+/// Pitch of a thread. Smaller pitches are not made; larger ones are straight motions.
+inline constexpr FunctionFormat kPitch{
+    [](const JsonCursor& at) {
+      const double pitch = at.number();
+      constexpr double kLeast = 1e-5;
+      constexpr double kMost = 1.0;
+      if (!(std::abs(pitch) >= kLeast && std::abs(pitch) <= kMost)) {
+        at.fail(GLISSADE_TEXT("is not a pitch"), GLISSADE_TEXT("Give metres a turn, from 0.00001 to 1; below zero for "
+                                                               "a left-handed thread."));
+      }
+      return pitch;
+    },
+    kAsItIs, R"({"type": "number"})"};
+
 inline constexpr FunctionFormat kCountFrom1{[](const JsonCursor& at) {
                                               const std::uint64_t count = at.wholeNumber();
                                               if (count == 0) at.fail(GLISSADE_TEXT("is not 1 or more"));
@@ -107,6 +122,14 @@ JsonCursor::Json ObjectFormat<T>::schema(SchemaDefinitions& definitions) const {
 }
 template <class T>
 inline constexpr ObjectFormat<T> kObject{};
+
+/// A value that is described as a View, a type derived from its own, because files have several forms of it.
+template <class Value, class View>
+struct ViewFormat {
+  Value read(const JsonCursor& at) const { return readDescribed<View>(at); }
+  JsonCursor::Json write(const Value& value) const { return writeDescribed(View{value}); }
+  JsonCursor::Json schema(SchemaDefinitions& definitions) const { return definitions.reference<View>(); }
+};
 
 /// A list of `least` to `most` values.
 template <class Item>

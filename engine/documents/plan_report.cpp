@@ -9,6 +9,7 @@
 #include "engine/documents/parts_list.h"
 #include "engine/documents/plan_tasks.h"
 #include "engine/documents/times_section.h"
+#include "engine/sequence/plan_bodies.h"
 #include "engine/sequence/subassembly_lines.h"
 
 namespace glissade {
@@ -253,21 +254,11 @@ class Composer {
     return {count == 1 ? work : say(GLISSADE_TEXT("%1 times: %2"), {std::to_string(count), work})};
   }
 
-  /// Allowances against bodies that have left count in other orders only.
+  /// Precondition: the step is one of the plan's steps.
   Texts allowancesOf(const AssemblyStep& step) const {
-    AssemblyStep there = step;
-    std::erase_if(there.allowances, [&](const Allowance& each) { return hasLeftBefore(each.body, step); });
-    const Texts allowances = plain_.allowances(there, content_.product);
+    const auto at = static_cast<std::size_t>(&step - content_.plan.steps.data());
+    const Texts allowances = plain_.allowances(allowancesInOrder(content_.plan.steps, at), content_.product);
     return allowances.empty() ? Texts{say(GLISSADE_TEXT("none"))} : allowances;
-  }
-
-  bool hasLeftBefore(const std::string& id, const AssemblyStep& step) const {
-    const auto& steps = content_.plan.steps;
-    const auto at = std::find_if(steps.begin(), steps.end(), [&](const AssemblyStep& each) { return &each == &step; });
-    return at != steps.end() && std::any_of(steps.begin(), at, [&](const AssemblyStep& each) {
-             const std::vector<std::string> bodies = each.bodies();
-             return std::find(bodies.begin(), bodies.end(), id) != bodies.end();
-           });
   }
 
   std::string checkTextAt(std::size_t step) const {

@@ -6,6 +6,7 @@
 #include "engine/base/csv_table.h"
 #include "engine/base/quantity_text.h"
 #include "engine/documents/plan_words.h"
+#include "engine/sequence/plan_bodies.h"
 #include "engine/sequence/step_motion.h"
 
 namespace glissade {
@@ -13,9 +14,9 @@ namespace {
 
 std::optional<double> finite(double value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
 
-double largestAllowance(const AssemblyStep& step) {
+double largestAllowance(const std::vector<Allowance>& allowances) {
   double largest = 0.0;
-  for (const Allowance& allowance : step.allowances) largest = std::max(largest, allowance.allowance);
+  for (const Allowance& allowance : allowances) largest = std::max(largest, allowance.allowance);
   return largest;
 }
 
@@ -34,8 +35,9 @@ class FullNames {
   std::vector<std::string> paths_;
 };
 
-void addStep(CsvTable& table, const AssemblyStep& step, std::size_t number, const AssembledProduct& product,
+void addStep(CsvTable& table, const std::vector<AssemblyStep>& steps, std::size_t at, const AssembledProduct& product,
              const FullNames& nameOf, PlanOrder order) {
+  const AssemblyStep& step = steps[at];
   const PlanWords words(Language::English, inMillimetres);
   double length = 0.0;
   double turn = 0.0;
@@ -44,7 +46,7 @@ void addStep(CsvTable& table, const AssemblyStep& step, std::size_t number, cons
     turn += leg.turn;
   }
   table.row();
-  table.number(static_cast<double>(number));
+  table.number(static_cast<double>(steps.size() - at));
   std::string parts;
   for (const std::string& id : step.bodies()) parts += (parts.empty() ? "" : "; ") + nameOf(id);
   table.text(parts);
@@ -55,7 +57,7 @@ void addStep(CsvTable& table, const AssemblyStep& step, std::size_t number, cons
   table.number(finite(step.proof.provedClearance));
   table.number(finite(step.proof.minClearance));
   table.text(step.proof.nearest.empty() ? "" : nameOf(step.proof.nearest));
-  table.number(largestAllowance(step));
+  table.number(largestAllowance(allowancesInOrder(steps, at)));
   table.number(static_cast<double>(step.wave));
   table.text("");
   table.text(words.tool(step, product));
@@ -89,7 +91,7 @@ std::string planAsCsv(const AssemblyPlan& plan, const AssembledProduct& product,
   const std::size_t steps = plan.steps.size();
   for (std::size_t i = 0; i < steps; ++i) {
     const std::size_t step = order == PlanOrder::Assembly ? steps - 1 - i : i;
-    addStep(table, plan.steps[step], steps - step, product, nameOf, order);
+    addStep(table, plan.steps, step, product, nameOf, order);
   }
   for (const StuckBody& stuck : plan.stuck) addStuck(table, stuck, nameOf);
   return table.content();

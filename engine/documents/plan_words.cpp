@@ -241,9 +241,10 @@ std::string PlanWords::motion(const AssemblyStep& step, PlanOrder order) const {
   return text;
 }
 
-std::vector<std::string> PlanWords::allowances(const AssemblyStep& step, const AssembledProduct& product) const {
+std::vector<std::string> PlanWords::allowances(const std::vector<Allowance>& allowances,
+                                               const AssembledProduct& product) const {
   std::vector<std::string> texts;
-  for (const Allowance& allowance : step.allowances) {
+  for (const Allowance& allowance : allowances) {
     const RigidBody& other = product.bodies[*product.indexOf(allowance.body)];
     const std::string length = length_(allowance.allowance);
     if (allowance.hollow && allowance.kind == ContactKind::Thread) {

@@ -52,7 +52,7 @@ class PlanWords {
   /// nut, nut#2".
   std::vector<std::string> violations(const AssemblyStep& step, const AssembledProduct& product) const;
   /// The allowances, one entry for each: "taken 0.0206 mm thinner in the hole of nut (cylindrical)".
-  std::vector<std::string> allowances(const AssemblyStep& step, const AssembledProduct& product) const;
+  std::vector<std::string> allowances(const std::vector<Allowance>& allowances, const AssembledProduct& product) const;
 
  private:
   std::string joint(const StepJoint& joint, const AssemblyStep& step, const AssembledProduct& product,

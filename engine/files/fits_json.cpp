@@ -21,20 +21,6 @@ constexpr FunctionFormat kFitKind{
     [](ContactKind kind) { return kContactKindNames.of(kind); },
     R"({"enum": ["planar", "cylindrical", "thread", "press", "overlap", "contact", "clash"]})"};
 
-/// Limits of the pitch. Smaller pitches are not made; larger ones are straight motions.
-constexpr FunctionFormat kFitPitch{
-    [](const JsonCursor& at) {
-      const double value = at.number();
-      constexpr double kLeast = 1e-5;
-      constexpr double kMost = 1.0;
-      if (!(std::abs(value) >= kLeast && std::abs(value) <= kMost)) {
-        at.fail(GLISSADE_TEXT("is not a pitch"),
-                GLISSADE_TEXT("Give metres a turn, from 0.00001 to 1; below zero for a left-handed thread."));
-      }
-      return value;
-    },
-    kAsItIs, R"({"type": "number"})"};
-
 /// Throws JsonError where a pair that is no thread has values of threads, which would have no effect.
 void demandThread(const FitEdit& edit, const JsonCursor& at, const char* key) {
   const auto found = at.find(key);
@@ -77,7 +63,7 @@ void describe(Archive& pair, Type<FitEdit> /*type*/) {
   pair.optional("kind", &FitEdit::kind, kFitKind, "A pair that is called a thread here comes apart by turning only.");
   pair.optional("allowance", &FitEdit::allowance, kLengthOrZero, "Metres; 0: clearance is required.");
   pair.optional("accepted", &FitEdit::accepted, kBoolean, "A person accepts the clash.");
-  pair.optional("pitch_m", &FitEdit::pitch, kFitPitch,
+  pair.optional("pitch_m", &FitEdit::pitch, kPitch,
                 "Only with kind thread: metres a turn; below 0: left-handed. Absent: the coarse pitch of ISO 261 for "
                 "its radius.");
   pair.optional("turned", &FitEdit::turned, kText,

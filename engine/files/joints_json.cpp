@@ -12,19 +12,6 @@ using Json = JsonCursor::Json;
 
 constexpr EnumNames<JointEdit::Word, 4> kWordNames{{"confirmed", "dissolved", "pressed_out", "opened"}};
 
-constexpr FunctionFormat kPitch{[](const JsonCursor& at) {
-                                  const double pitch = at.number();
-                                  constexpr double kLeast = 1e-5;
-                                  constexpr double kMost = 1.0;
-                                  if (std::abs(pitch) < kLeast || std::abs(pitch) > kMost) {
-                                    at.fail(GLISSADE_TEXT("is not a pitch"),
-                                            GLISSADE_TEXT("Give metres a turn, from 0.00001 to 1; below zero for a "
-                                                          "left-handed thread."));
-                                  }
-                                  return pitch;
-                                },
-                                kAsItIs, R"({"type": "number"})"};
-
 /// A direction of any length, as a unit vector. A direction of unit length within rounding is kept, so that files are
 /// read and written without a change.
 struct DirectionFormat : VectorFormat {

@@ -14,19 +14,11 @@ constexpr std::size_t kMostKeptPoints = 10'000'000;
 
 struct KeptPoint : PathPoint {};
 
-struct KeptPointFormat {
-  PathPoint read(const JsonCursor& at) const { return readDescribed<KeptPoint>(at); }
-  Json write(const PathPoint& point) const { return writeDescribed(KeptPoint{point}); }
-  Json schema(SchemaDefinitions& definitions) const { return definitions.reference<KeptPoint>(); }
-};
+using KeptPointFormat = ViewFormat<PathPoint, KeptPoint>;
 
 struct KeptAllowance : Allowance {};
 
-struct KeptAllowanceFormat {
-  Allowance read(const JsonCursor& at) const { return readDescribed<KeptAllowance>(at); }
-  Json write(const Allowance& allowance) const { return writeDescribed(KeptAllowance{allowance}); }
-  Json schema(SchemaDefinitions& definitions) const { return definitions.reference<KeptAllowance>(); }
-};
+using KeptAllowanceFormat = ViewFormat<Allowance, KeptAllowance>;
 
 bool hasPlanner(const KeptPath& path) { return !path.provenance.planner.empty(); }
 bool hasClearance(const KeptPath& path) { return path.clearance >= 0.0; }

@@ -14,11 +14,7 @@ constexpr std::size_t kMostMotionPoints = 1'000'000;
 /// A configuration of a motion. The author of its segment is not written.
 struct MotionPoint : PathPoint {};
 
-struct MotionPointFormat {
-  PathPoint read(const JsonCursor& at) const { return readDescribed<MotionPoint>(at); }
-  JsonCursor::Json write(const PathPoint& point) const { return writeDescribed(MotionPoint{point}); }
-  JsonCursor::Json schema(SchemaDefinitions& definitions) const { return definitions.reference<MotionPoint>(); }
-};
+using MotionPointFormat = ViewFormat<PathPoint, MotionPoint>;
 
 /// Names of at least so many bodies.
 constexpr ListFormat<GetterFormat<std::string>> names(std::size_t least) { return listOf(kNonEmptyText, least); }

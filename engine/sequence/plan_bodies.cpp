@@ -1,5 +1,6 @@
 #include "engine/sequence/plan_bodies.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <utility>
@@ -103,6 +104,18 @@ std::vector<std::size_t> bodiesOf(const AssemblyStep& step, const AssembledProdu
   std::vector<std::size_t> bodies;
   for (const std::string& id : step.bodies()) bodies.push_back(*product.indexOf(id));
   return bodies;
+}
+
+std::vector<Allowance> allowancesInOrder(const std::vector<AssemblyStep>& steps, std::size_t at) {
+  std::vector<Allowance> there = steps[at].allowances;
+  std::erase_if(there, [&](const Allowance& each) {
+    return std::any_of(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(at),
+                       [&](const AssemblyStep& earlier) {
+                         return earlier.body == each.body ||
+                                std::find(earlier.with.begin(), earlier.with.end(), each.body) != earlier.with.end();
+                       });
+  });
+  return there;
 }
 
 std::optional<AssemblyPlan> planAbout(const AssembledProduct& product, const AssemblyPlan& plan) {

@@ -33,6 +33,10 @@ std::string grouped(std::uint64_t count) {
 /// Processor time of planning so far on this thread and on the planner's own threads.
 double cpuSeconds(const Planner& planner) { return threadCpuSeconds() + helpersCpuSecondsOf(planner); }
 
+bool isSamePlaces(const ForbiddenRegionsPtr& a, const ForbiddenRegionsPtr& b) {
+  return a == b || (a && b && a->places() == b->places());
+}
+
 }  // namespace
 
 void RoadmapPublisher::update(const Planner& planner) {
@@ -187,19 +191,19 @@ void SessionCore::setSemantics(const SemanticEditsPtr& edits, const WorkWatch& w
     trouble_.reset();
     state_ = SessionState::Idle;
   }
-  if (!running && refused_) {
-    examine({refused_->path.points, provenance_}, watch);
-    return;
-  }
-  if (!running && !path_) return;  // the forbidden places are computed at the start
-  const bool hadForbidden = forbidden_->regions() != nullptr;
+  if (!running && !path_ && !refused_) return;  // the forbidden places are computed at the start
+  const ForbiddenRegionsPtr before = forbidden_->regions();
   const Outcome known = forbidByEdits(watch.stop);
   if (!known && running) {
     fail(known.error());
   } else if (!known) {
     trouble_ = known.error();
-  } else if (path_ && (hadForbidden || forbidden_->regions())) {
+  } else if (isSamePlaces(before, forbidden_->regions())) {
+    return;
+  } else if (path_) {
     certifyAgain(watch);
+  } else if (refused_) {
+    judge({refused_->path.points, provenance_}, watch);
   }
 }
 
@@ -329,6 +333,11 @@ void SessionCore::examine(const command::ExaminePath& given, const WorkWatch& wa
     trouble_ = known.error();
     return;
   }
+  judge(given, watch);
+}
+
+/// Certifies a path among the present forbidden places, and shows it as found or as refused.
+void SessionCore::judge(const command::ExaminePath& given, const WorkWatch& watch) {
   PathExamination examination = examinePath(given.points, problem_, parameters_, watch);
   if (!examination.complete) return;
   const bool holds = examination.holds();

@@ -110,6 +110,7 @@ class SessionCore {
   Outcome forbidByEdits(const StopToken& stop);
   std::optional<std::string> forbiddenOn(const Path& path) const;
   void certifyAgain(const WorkWatch& watch);
+  void judge(const command::ExaminePath& given, const WorkWatch& watch);
   void setPlanner(const std::string& id);
   void setParameter(ParameterId id, double value);
   void smoothPath(int attempts, const WorkWatch& watch);

@@ -57,7 +57,7 @@ xdotool key shift+F5
 sleep 0.5
 kill -0 "$window" 2>/dev/null || fail "the program ended"
 xdotool key ctrl+q
-# Where the run has found a path meanwhile, the program asks whether to keep it: the second button discards it.
+# If the run has found a path meanwhile, the program asks whether to keep it: the second button discards it.
 question() { xdotool search --onlyvisible --name '^Keep the path.$' 2>/dev/null | head -n 1; }
 for _ in $(seq 100); do
   kill -0 "$window" 2>/dev/null || { echo "passed"; exit 0; }

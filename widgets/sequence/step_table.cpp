@@ -16,6 +16,7 @@
 
 #include "engine/documents/plan_tasks.h"
 #include "engine/sequence/demand_edits.h"
+#include "engine/sequence/plan_bodies.h"
 #include "widgets/controls/diagnostic_text.h"
 #include "widgets/controls/length_text.h"
 #include "widgets/controls/quiet_focus.h"
@@ -49,9 +50,9 @@ QString joinedTexts(const std::vector<std::string>& texts, const QString& separa
   return list.join(separator);
 }
 
-QString largestAllowanceText(const AssemblyStep& step) {
+QString largestAllowanceText(const std::vector<Allowance>& allowances) {
   double largest = 0.0;
-  for (const auto& allowance : step.allowances) largest = std::max(largest, allowance.allowance);
+  for (const auto& allowance : allowances) largest = std::max(largest, allowance.allowance);
   return largest > 0.0 ? columnLengthText(largest) : QStringLiteral("–");
 }
 
@@ -253,9 +254,10 @@ void StepTable::addStep(std::size_t place) {
   row->setText(StepPart, twoLines(QString::fromStdString(nameOfStep(step, *shown_.product)), work));
   const QString told = work == motion ? motion : twoLines(work, motion);
   row->setToolTip(StepPart, twoLines(allNames(step.bodies()), told));
+  const std::vector<Allowance> allowances = allowancesInOrder(steps, i);
   const bool isNear = !step.proof.nearest.empty();
   row->setText(StepGaps, twoLines(isNear ? columnLengthText(step.proof.minClearance) : QStringLiteral("–"),
-                                  largestAllowanceText(step)));
+                                  largestAllowanceText(allowances)));
   row->setTextAlignment(StepGaps, Qt::AlignRight | Qt::AlignVCenter);
   QStringList gaps;
   if (isNear) {
@@ -263,7 +265,7 @@ void StepTable::addStep(std::size_t place) {
                 .arg(lengthText(step.proof.provedClearance), lengthText(step.proof.minClearance),
                      nameOf(step.proof.nearest));
   }
-  gaps << joinedTexts(words.allowances(step, *shown_.product), QStringLiteral("\n"));
+  gaps << joinedTexts(words.allowances(allowances, *shown_.product), QStringLiteral("\n"));
   row->setToolTip(StepGaps, gaps.join(QLatin1Char('\n')));
   const QString forced = joinedTexts(words.violations(step, *shown_.product), QStringLiteral("; "));
   const QString standing = QString::fromStdString(words.standing(step, *shown_.product));

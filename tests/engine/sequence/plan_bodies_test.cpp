@@ -61,5 +61,20 @@ TEST(PlanBodies, AllBodiesOfAGroupLeave) {
   EXPECT_EQ(bodiesOf(step, product), (std::vector<std::size_t>{*product.indexOf("pin"), *product.indexOf("cap")}));
 }
 
+/// A step states allowances for all orders. The nut and the washer have left before the bolt.
+TEST(PlanBodies, AllowancesInOrderLeaveOutBodiesThatHaveLeft) {
+  std::vector<AssemblyStep> steps(2);
+  steps[0].body = "nut";
+  steps[0].with = {"washer"};
+  steps[1].body = "bolt";
+  for (const char* other : {"nut", "plate", "washer"}) {
+    for (AssemblyStep& step : steps) step.allowances.push_back({other});
+  }
+  EXPECT_EQ(allowancesInOrder(steps, 0).size(), 3U);
+  const std::vector<Allowance> there = allowancesInOrder(steps, 1);
+  ASSERT_EQ(there.size(), 1U);
+  EXPECT_EQ(there.front().body, "plate");
+}
+
 }  // namespace
 }  // namespace glissade

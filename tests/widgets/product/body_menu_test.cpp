@@ -1,4 +1,4 @@
-// What a person does with a body: rename it in the list, select several with a box in the scene.
+// A person renames a body in the list, and selects several bodies with a box in the scene.
 #include <gtest/gtest.h>
 
 #include <QMouseEvent>

@@ -110,7 +110,8 @@ void complainOf(RuntimeState& state, const std::string& what);
 /// XR_SUCCESS, or the present failure of calls. Precondition: the caller holds the mutex.
 XrResult instanceResult(const RuntimeState& state);
 XrResult sessionResult(const RuntimeState& state);
-/// The same for a call of pictures or controllers, which may be refused although nothing is lost.
+/// XR_SUCCESS, or the failure of a call of pictures or controllers, which may be refused although nothing is lost.
+/// Precondition: the caller holds the mutex.
 XrResult callResult(RuntimeState& state);
 
 template <class Handle>
