@@ -81,7 +81,7 @@ void assign(T& object, const Accessor<Get, Set>& accessor, Read&& read) {
 
 template <class Value, class Format>
 Json written(const Value& value, const Format& format) {
-  if constexpr (kIsOptional<Value>) {
+  if constexpr (kIsOptional<Value> && !requires { Format::kTakesNothing; }) {
     return format.write(*value);
   } else {
     return format.write(value);

@@ -28,6 +28,8 @@ struct GetterFormat {
 inline constexpr GetterFormat<std::string> kText{&JsonCursor::text, R"({"type": "string"})"};
 inline constexpr GetterFormat<std::string> kNonEmptyText{&JsonCursor::nonEmptyText,
                                                          R"({"type": "string", "minLength": 1})"};
+/// The path of a file.
+inline constexpr GetterFormat<std::string> kFilePath{&JsonCursor::exactText, R"({"type": "string", "minLength": 1})"};
 inline constexpr GetterFormat<double> kNumber{&JsonCursor::number, R"({"type": "number"})"};
 inline constexpr GetterFormat<double> kPositive{&JsonCursor::positiveNumber,
                                                 R"({"type": "number", "exclusiveMinimum": 0})"};
@@ -141,6 +143,7 @@ struct ListFormat {
   auto read(const JsonCursor& at) const {
     std::vector<decltype(item.read(at))> values;
     const std::size_t size = at.sizeUpTo(most);
+    if (size == 0 && least > 0) at.fail(GLISSADE_TEXT("is empty"));
     if (size < least) at.fail({GLISSADE_TEXT("has fewer than %1 entries"), {least}});
     values.reserve(size);
     for (std::size_t i = 0; i < size; ++i) values.push_back(item.read(at.element(i)));
@@ -166,6 +169,30 @@ constexpr ListFormat<Item> listOf(const Item& item, std::size_t least = 0, std::
 }
 template <class T>
 inline constexpr ListFormat<ObjectFormat<T>> kObjects{};
+
+/// A value, or null where there is none. Values are std::optional, or pointers where a member is written only.
+template <class Item>
+struct NullableFormat {
+  static constexpr bool kTakesNothing = true;
+  Item item;
+
+  auto read(const JsonCursor& at) const {
+    std::optional<decltype(item.read(at))> value;
+    if (!at.json().is_null()) value = item.read(at);
+    return value;
+  }
+  template <class Optional>
+  JsonCursor::Json write(const Optional& value) const {
+    return value ? item.write(*value) : JsonCursor::Json(nullptr);
+  }
+  JsonCursor::Json schema(SchemaDefinitions& definitions) const {
+    return {{"anyOf", {item.schema(definitions), {{"type", "null"}}}}};
+  }
+};
+template <class Item>
+constexpr NullableFormat<Item> orNull(const Item& item) {
+  return {item};
+}
 
 /// An object whose keys are the keys of a map.
 template <class Item>

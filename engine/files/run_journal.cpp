@@ -74,7 +74,7 @@ class JournalMerger {
   }
 
   Json record() && {
-    addLoss(loss_, record_);
+    if (loss_) record_["lost"] = kObject<RunRecord::Loss>.write(*loss_);
     return std::move(record_);
   }
 
@@ -136,20 +136,18 @@ Result<std::unique_ptr<RunJournal>> RunJournal::begin(const RunRecord& record, c
   if (descriptor < 0) return failed(folder, GLISSADE_TEXT("the folder refuses a new file"));
   std::unique_ptr<RunJournal> journal(new RunJournal(descriptor, file));
   if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return failed(file, GLISSADE_TEXT("cannot be locked"));
-  Json head = headToJson(record);
-  addEvents({}, head);
-  const Outcome written = journal->writeLine(withChecksum(std::move(head)));
+  RunRecord head = record;
+  head.log = RunLog{};
+  head.log.start = record.log.start;
+  head.loss.reset();
+  const Outcome written = journal->writeLine(withChecksum(kObject<RunRecord>.write(head)));
   if (!written) return written.error();
   return journal;
 }
 
 RunJournal::~RunJournal() { ::close(descriptor_); }
 
-Outcome RunJournal::append(const RunLog& part) {
-  Json events;
-  addEvents(part, events);
-  return writeLine(withChecksum(std::move(events)));
-}
+Outcome RunJournal::append(const RunLog& part) { return writeLine(withChecksum(kObject<RunLog>.write(part))); }
 
 void RunJournal::discard() { ::unlink(file_.c_str()); }
 

@@ -98,10 +98,8 @@ void setLog(RunLog log, RunRecord& record) {
 }
 
 SaveResult writeRunRecord(const RunRecord& record, const std::string& file) {
-  Json json = headToJson(record);
+  Json json = kObject<RunRecord>.write(record);
   json["scenario"] = relativeTo(folderOf(file), record.scenario);
-  addEvents(record.log, json);
-  addLoss(record.loss, json);
   addChecksum(json);
   return saveFile(file, text(json));
 }
@@ -115,7 +113,7 @@ Result<RunRecord> readRunRecord(const std::string& file, const WorkWatch& watch)
   if (!document) return document.error();
   const ChecksumState checksum = takeChecksum(*document);
   try {
-    RunRecord record = readRecord(JsonCursor(*document, file, ""), watch.part(kParsing, 1.0));
+    RunRecord record = readRecord(*document, file, watch.part(kParsing, 1.0));
     if (checksum == ChecksumState::Wrong) {
       return wrongChecksum(file,
                            GLISSADE_TEXT("Use an undamaged copy. To replay an edited recording, remove its checksum."));

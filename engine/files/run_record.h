@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,6 +40,9 @@ struct RunRecord {
 
 /// The record of a run of this scenario. Errors: an asset can no longer be read.
 Result<RunRecord> makeRunRecord(const LoadedScenario& scenario, RunLog log);
+
+/// The JSON schema of records of version 2: resources/schema/run-2.schema.json.
+nlohmann::ordered_json runRecordSchema();
 
 /// Replaces the run by another run of the same scenario.
 void setLog(RunLog log, RunRecord& record);

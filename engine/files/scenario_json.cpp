@@ -6,6 +6,7 @@
 #include "engine/files/fits_json.h"
 #include "engine/files/joints_json.h"
 #include "engine/files/kept_path_json.h"
+#include "engine/files/parameters_json.h"
 #include "engine/files/plan_file.h"
 #include "engine/files/plan_json.h"
 #include "engine/files/scenario_file.h"
@@ -94,35 +95,6 @@ struct WorkspaceFormat {
             {"additionalProperties", false},
             {"required", {"min", "max"}},
             {"properties", {{"min", kVector.schema(definitions)}, {"max", kVector.schema(definitions)}}}};
-  }
-};
-
-/// Parameters by their keys.
-struct ParametersFormat {
-  std::map<ParameterId, double> read(const JsonCursor& at) const {
-    std::map<ParameterId, double> values;
-    for (const auto& item : at.json().items()) {
-      const auto id = parameterByKey(item.key());
-      const JsonCursor value = at.at(item.key());
-      if (!id) {
-        value.fail(GLISSADE_TEXT("is not a parameter"), GLISSADE_TEXT("Remove it, or see 'glissade-cli plan --help'."));
-      }
-      values[*id] = value.number();
-    }
-    return values;
-  }
-  Json write(const std::map<ParameterId, double>& values) const {
-    Json json = Json::object();
-    for (const auto& [id, value] : values) json[std::string(specOf(id).key)] = value;
-    return json;
-  }
-  Json schema(SchemaDefinitions& /*definitions*/) const {
-    Json properties = Json::object();
-    for (const ParameterSpec& spec : parameterTable()) {
-      const double least = spec.scale == ParameterScale::Absolute ? spec.minimum : 0.0;
-      properties[std::string(spec.key)] = {{"type", "number"}, {"minimum", least}};
-    }
-    return {{"type", "object"}, {"additionalProperties", false}, {"properties", std::move(properties)}};
   }
 };
 

@@ -1,6 +1,7 @@
 #include "engine/study/study_axes.h"
 
 #include <filesystem>
+#include <numeric>
 
 #include "engine/base/number_text.h"
 
@@ -12,7 +13,7 @@ using GridPoint = std::vector<std::pair<ParameterId, double>>;
 
 std::vector<GridPoint> pointsOf(const StudyAxes& axes) {
   std::vector<GridPoint> points{{}};
-  for (const auto& [id, values] : axes.grid) {
+  for (const auto& [id, values] : axes.grid.value_or(StudyGrid())) {
     std::vector<GridPoint> finer;
     for (const GridPoint& point : points) {
       for (const double value : values) {
@@ -23,6 +24,14 @@ std::vector<GridPoint> pointsOf(const StudyAxes& axes) {
     points = std::move(finer);
   }
   return points;
+}
+
+std::vector<std::uint64_t> seedsOf(const StudySeeds& seeds) {
+  if (const auto* list = std::get_if<std::vector<std::uint64_t>>(&seeds)) return *list;
+  const auto& range = std::get<SeedRange>(seeds);
+  std::vector<std::uint64_t> list(range.count);
+  std::iota(list.begin(), list.end(), range.first);
+  return list;
 }
 
 StudyCell cellOf(const StudyRow& row, const std::string& scenario, const std::string& strategy,
@@ -38,16 +47,34 @@ StudyCell cellOf(const StudyRow& row, const std::string& scenario, const std::st
   cell.scenario = scenario;
   cell.strategy = strategy;
   cell.operatorName = operatorName;
-  cell.settings = axes.settings;
+  cell.settings = axes.parameters;
+  cell.settings.insert(axes.limits.settings.begin(), axes.limits.settings.end());
   for (const auto& [id, value] : point) cell.settings[id] = value;
-  cell.memoryLimitMb = axes.memoryLimitMb;
-  cell.seeds = axes.seeds;
+  cell.memoryLimitMb = axes.limits.memoryMb.value_or(0);
+  cell.seeds = seedsOf(axes.seeds);
   cell.paper = row.paper;
   cell.location = row.location;
   return cell;
 }
 
 }  // namespace
+
+std::uint64_t seedCount(const StudySeeds& seeds) {
+  if (const auto* list = std::get_if<std::vector<std::uint64_t>>(&seeds)) return list->size();
+  return std::get<SeedRange>(seeds).count;
+}
+
+StudyAxes inherited(StudyAxes own, const StudyAxes& general) {
+  if (own.scenarios.empty()) own.scenarios = general.scenarios;
+  if (own.strategies.empty()) own.strategies = general.strategies;
+  if (own.operators.empty()) own.operators = general.operators;
+  own.parameters.insert(general.parameters.begin(), general.parameters.end());
+  if (!own.grid) own.grid = general.grid;
+  own.limits.settings.insert(general.limits.settings.begin(), general.limits.settings.end());
+  if (!own.limits.memoryMb) own.limits.memoryMb = general.limits.memoryMb;
+  if (seedCount(own.seeds) == 0) own.seeds = general.seeds;
+  return own;
+}
 
 std::string scenarioName(const std::string& scenario) {
   const std::filesystem::path path(scenario);
@@ -58,7 +85,7 @@ std::string scenarioName(const std::string& scenario) {
 double cellCount(const StudyRow& row) {
   double count =
       static_cast<double>(row.axes.scenarios.size() * row.axes.strategies.size() * row.axes.operators.size());
-  for (const auto& [id, values] : row.axes.grid) count *= static_cast<double>(values.size());
+  for (const auto& [id, values] : row.axes.grid.value_or(StudyGrid())) count *= static_cast<double>(values.size());
   return count;
 }
 

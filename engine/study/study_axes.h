@@ -8,28 +8,49 @@
 
 namespace glissade {
 
-/// The settings that a study varies, before its cells are listed.
+/// Seeds from `first` on.
+struct SeedRange {
+  std::uint64_t first = 0;
+  std::uint64_t count = 0;
+};
+/// Ascending seeds.
+using StudySeeds = std::variant<std::vector<std::uint64_t>, SeedRange>;
+std::uint64_t seedCount(const StudySeeds& seeds);
+
+/// Values of parameters.
+using StudyGrid = std::vector<std::pair<ParameterId, std::vector<double>>>;
+
+/// Limits of runs.
+struct StudyLimits {
+  std::map<ParameterId, double> settings;  ///< those that are parameters: isLimit()
+  std::optional<std::uint64_t> memoryMb;   ///< of the process of a run; 0: none
+};
+
+/// The settings that a study, a row or the quick section gives. An empty member is not given.
 struct StudyAxes {
   std::vector<std::string> scenarios;
   std::vector<std::string> strategies;
-  std::vector<std::string> operators{"none"};
-  std::map<ParameterId, double> settings;
-  std::vector<std::pair<ParameterId, std::vector<double>>> grid;
-  std::uint64_t memoryLimitMb = 0;
-  std::vector<std::uint64_t> seeds;
+  std::vector<std::string> operators;
+  std::map<ParameterId, double> parameters;
+  std::optional<StudyGrid> grid;
+  StudyLimits limits;
+  StudySeeds seeds;
 };
 
-/// A named row. Its settings replace or extend those of the whole study.
+/// `own`, and the settings of `general` that it does not give; parameters and limits are taken one by one.
+StudyAxes inherited(StudyAxes own, const StudyAxes& general);
+
+/// A named row.
 struct StudyRow {
   std::string label;
-  StudyAxes axes;  ///< axes with the row's own settings applied
+  StudyAxes axes;
   std::map<std::string, PaperValue> paper;
   std::string location;
 };
 
-/// Makes the cells of a row: scenarios x strategies x operators x grid, the last varying fastest. Labels name the row
-/// and all settings with more than one value. cellCount() is the size of this product, which may be too large to be
-/// listed.
+/// Makes the cells of a row with all its settings: scenarios x strategies x operators x grid, the last varying fastest.
+/// Labels name the row and all settings with more than one value. cellCount() is the size of this product, which may be
+/// too large to be listed.
 double cellCount(const StudyRow& row);
 std::vector<StudyCell> cellsOf(const StudyRow& row);
 

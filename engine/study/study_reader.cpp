@@ -6,27 +6,39 @@
 #include "engine/operator/device_registry.h"
 #include "engine/sequence/sequence_strategy.h"
 #include "engine/study/benchmarks/peer_planners.h"
-#include "engine/study/finding_reader.h"
 #include "engine/study/study_axes.h"
+#include "engine/study/study_json.h"
 #include "engine/study/study_plan.h"
 
 namespace glissade {
 namespace {
 
+using study_json::Json;
+
 constexpr std::uint64_t kMostRuns = 10'000'000;
 constexpr double kMostCells = 100'000;
-/// Most rows, findings, and scenarios of a row, because names are searched sequentially.
-constexpr std::size_t kMostRows = 1000;
 constexpr std::uint64_t kMostMegabytes = 1ULL << 40U;  // largest limit whose value in bytes fits into 64 bits
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
+/// The section of the study file that --quick applies.
+struct QuickSection {
+  std::vector<std::string> rows;  ///< labels of the rows that stay; empty: all
+  StudyAxes axes;
+};
 
-void expectOneOf(const JsonCursor& at, const std::vector<std::string>& known, CatalogueText what) {
-  study_json::readOneOf(at, known, what);
+/// A study file before its cells are listed.
+struct StudyFile {
+  StudyHeading heading;
+  StudyAxes axes;
+  std::vector<StudyRow> rows;
+  std::optional<QuickSection> quick;
+};
+
+std::vector<std::string> knownStrategies() {
+  std::vector<std::string> names = idsOf(makePlannerRegistryWithPeers());
+  const SequenceStrategyRegistry sequences = makeSequenceStrategyRegistry();
+  for (const SequenceStrategyEntry& entry : sequences.entries())
+    names.push_back(std::string(kSequencePrefix) + entry.id);
+  return names;
 }
 
 std::vector<std::string> knownOperators() {
@@ -38,330 +50,344 @@ std::vector<std::string> knownOperators() {
   return names;
 }
 
-/// Applies `read` to every element of a list that must not be empty.
-template <class Read>
-auto readList(const JsonCursor& list, Read read) {
-  std::vector<decltype(read(list))> values;
-  for (std::size_t i = 0; i < list.size(); ++i) values.push_back(read(list.element(i)));
-  if (values.empty()) list.fail(GLISSADE_TEXT("is empty"));
-  return values;
+constexpr FunctionFormat kStrategy{[](const JsonCursor& at) {
+                                     static const std::vector<std::string> kKnown = knownStrategies();
+                                     std::string name = at.nonEmptyText();
+                                     study_json::expectOneOf(name, kKnown, GLISSADE_TEXT("strategy"), at);
+                                     return name;
+                                   },
+                                   kAsItIs, R"({"type": "string", "minLength": 1})"};
+
+struct OperatorFormat {
+  std::string read(const JsonCursor& at) const {
+    std::string name = at.nonEmptyText();
+    study_json::expectOneOf(name, knownOperators(), GLISSADE_TEXT("operator"), at);
+    return name;
+  }
+  Json schema(SchemaDefinitions& /*definitions*/) const { return {{"enum", knownOperators()}}; }
+};
+
+/// A list of distinct values, which is not empty.
+template <class Item>
+struct SetFormat {
+  Item item;
+  std::size_t most = study_json::kMostRows;
+
+  auto read(const JsonCursor& at) const {
+    std::vector<decltype(item.read(at))> values = listOf(item, 1, most).read(at);
+    std::set<decltype(item.read(at))> seen;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (!seen.insert(values[i]).second)
+        at.element(i).fail(GLISSADE_TEXT("is there a second time"), GLISSADE_TEXT("Remove it."));
+    }
+    return values;
+  }
+  Json schema(SchemaDefinitions& definitions) const {
+    return {{"type", "array"}, {"minItems", 1}, {"uniqueItems", true}, {"items", item.schema(definitions)}};
+  }
+};
+template <class Item>
+SetFormat(Item) -> SetFormat<Item>;
+
+/// Refuses limits, which stand under their own key.
+void refuseLimit(ParameterId id, const JsonCursor& at) {
+  if (isLimit(id)) at.fail(GLISSADE_TEXT("is a limit"), GLISSADE_TEXT("Move it to \"limits\"."));
 }
 
-/// Reads a list of distinct values.
-template <class Read>
-auto readSet(const JsonCursor& list, Read read) {
-  auto values = readList(list, read);
-  std::set<typename decltype(values)::value_type> seen;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!seen.insert(values[i]).second)
-      list.element(i).fail(GLISSADE_TEXT("is there a second time"), GLISSADE_TEXT("Remove it."));
+/// The schema of an object with a value for parameters.
+Json schemaOfParameters(const Json& value) {
+  Json properties = Json::object();
+  for (const ParameterSpec& spec : parameterTable()) {
+    if (!isLimit(spec.id)) properties[std::string(spec.key)] = value;
   }
-  return values;
+  return {{"type", "object"}, {"additionalProperties", false}, {"properties", std::move(properties)}};
 }
 
-ParameterId readParameterId(const JsonCursor& at, const std::string& key) {
-  const auto id = parameterByKey(key);
-  if (!id)
-    at.fail(GLISSADE_TEXT("is not a parameter"), GLISSADE_TEXT("See 'glissade-cli plan --help'; '_' stands for '-'."));
-  if (isLimit(*id)) at.fail(GLISSADE_TEXT("is a limit"), GLISSADE_TEXT("Move it to \"limits\"."));
-  return *id;
-}
+struct VariedParametersFormat {
+  std::map<ParameterId, double> read(const JsonCursor& at) const {
+    std::map<ParameterId, double> values = study_json::ParameterNumbersFormat().read(at);
+    for (const auto& [id, value] : values) refuseLimit(id, at.at(std::string(specOf(id).key)));
+    return values;
+  }
+  Json schema(SchemaDefinitions& /*definitions*/) const { return schemaOfParameters({{"type", "number"}}); }
+};
 
-class Reader {
- public:
-  explicit Reader(const JsonCursor& root) : root_(root), strategies_(idsOf(makePlannerRegistryWithPeers())) {
-    const SequenceStrategyRegistry sequences = makeSequenceStrategyRegistry();
-    for (const SequenceStrategyEntry& entry : sequences.entries()) {
-      strategies_.push_back(std::string(kSequencePrefix) + entry.id);
+/// Values of parameters, in the order of the file.
+struct GridFormat {
+  StudyGrid read(const JsonCursor& at) const {
+    at.expectObject();
+    StudyGrid grid;
+    for (const auto& item : at.json().items()) {
+      const JsonCursor values = at.at(item.key());
+      const ParameterId id = parameterNamed(item.key(), values);
+      refuseLimit(id, values);
+      grid.emplace_back(id, SetFormat{kNumber}.read(values));
     }
+    return grid;
   }
-
-  Study read(bool quick) {
-    root_.allowOnly({"format", "version", "name", "title", "description", "citation", "paper", "scenarios",
-                     "strategies", "operators", "parameters", "grid", "limits", "seeds", "rows", "findings", "quick"});
-    if (root_.at("format").text() != "glissade-study")
-      root_.at("format").fail(GLISSADE_TEXT("is not \"glissade-study\""));
-    if (root_.at("version").wholeNumber() != 1)
-      root_.at("version").fail(GLISSADE_TEXT("is not 1"), GLISSADE_TEXT("Use a newer Glissade."));
-    readHeading();
-    StudyAxes axes;
-    readAxes(root_, axes);
-    readRows(axes);
-    readFindings();
-    applyQuick(quick);
-    spellOut();
-    study_.quick = quick;
-    return study_;
+  Json schema(SchemaDefinitions& definitions) const {
+    return schemaOfParameters(SetFormat{kNumber}.schema(definitions));
   }
+};
 
- private:
-  std::string optionalText(const char* key) const {
-    const auto at = root_.find(key);
-    return at ? at->text() : "";
-  }
-
-  void readHeading() {
-    StudyHeading& heading = study_.heading;
-    heading.name = root_.at("name").nonEmptyText();
-    heading.title = root_.at("title").nonEmptyText();
-    heading.description = optionalText("description");
-    heading.citation = optionalText("citation");
-    const auto columns = root_.find("paper");
-    if (!columns) return;
-    heading.paper = readList(*columns, readColumn);
-  }
-
-  static PaperColumn readColumn(const JsonCursor& at) {
-    at.allowOnly({"key", "title", "measure", "statistic", "over"});
-    return {at.at("key").nonEmptyText(), at.at("title").nonEmptyText(), study_json::readQuantity(at)};
-  }
-
-  /// Reads the keys that the study, rows and the quick section have in common.
-  void readAxes(const JsonCursor& at, StudyAxes& axes) const {
-    if (const auto list = at.find("scenarios")) {
-      list->sizeUpTo(kMostRows);
-      axes.scenarios = readSet(*list, [](const JsonCursor& name) { return name.nonEmptyText(); });
-    }
-    if (const auto list = at.find("strategies")) {
-      axes.strategies = readSet(*list, [this](const JsonCursor& name) { return readStrategy(name); });
-    }
-    if (const auto list = at.find("operators")) axes.operators = readSet(*list, readOperator);
-    if (const auto limits = at.find("limits")) readLimits(*limits, axes);
-    if (const auto parameters = at.find("parameters")) readParameters(*parameters, axes);
-    if (const auto grid = at.find("grid")) readGrid(*grid, axes);
-    if (const auto seeds = at.find("seeds")) axes.seeds = readSeeds(*seeds);
-  }
-
-  std::string readStrategy(const JsonCursor& at) const {
-    expectOneOf(at, strategies_, GLISSADE_TEXT("strategy"));
-    return at.text();
-  }
-
-  static std::string readOperator(const JsonCursor& at) {
-    expectOneOf(at, knownOperators(), GLISSADE_TEXT("operator"));
-    return at.text();
-  }
-
-  static void readParameters(const JsonCursor& parameters, StudyAxes& axes) {
-    parameters.expectObject();
-    for (const auto& item : parameters.json().items()) {
-      const JsonCursor at = parameters.at(item.key());
-      axes.settings[readParameterId(at, item.key())] = at.number();
-    }
-  }
-
-  static void readGrid(const JsonCursor& grid, StudyAxes& axes) {
-    grid.expectObject();
-    axes.grid.clear();
-    for (const auto& item : grid.json().items()) {
-      const JsonCursor at = grid.at(item.key());
-      axes.grid.emplace_back(readParameterId(at, item.key()),
-                             readSet(at, [](const JsonCursor& value) { return value.number(); }));
-    }
-  }
-
-  static void readLimits(const JsonCursor& limits, StudyAxes& axes) {
-    limits.allowOnly({"time_limit", "max_steps", "max_samples", "steps_per_second", "memory_limit_mb"});
-    for (const auto& item : limits.json().items()) {
-      const JsonCursor at = limits.at(item.key());
-      if (const auto id = parameterByKey(item.key())) {
-        axes.settings[*id] = at.number();
-      } else {
-        axes.memoryLimitMb = at.wholeNumber();
-        if (axes.memoryLimitMb > kMostMegabytes) at.fail({GLISSADE_TEXT("is beyond %1"), {kMostMegabytes}});
-      }
-    }
-  }
-
-  static std::vector<std::uint64_t> readSeeds(const JsonCursor& at) {
+/// Seeds in a list, or the first one and their number.
+struct SeedsFormat {
+  StudySeeds read(const JsonCursor& at) const {
     if (at.json().is_array()) {
-      auto seeds = readSet(at, [](const JsonCursor& seed) { return seed.wholeNumber(); });
+      auto seeds = SetFormat<decltype(kCount)>{kCount, kMostRuns}.read(at);
       std::sort(seeds.begin(), seeds.end());
       return seeds;
     }
     at.allowOnly({"first", "count"});
-    const std::uint64_t first = at.at("first").wholeNumber();
-    const std::uint64_t count = at.at("count").wholeNumber();
-    if (count == 0 || count > kMostRuns || first > UINT64_MAX - count) {
+    const SeedRange range{at.at("first").wholeNumber(), at.at("count").wholeNumber()};
+    if (range.count == 0 || range.count > kMostRuns || range.first > UINT64_MAX - range.count)
       at.at("count").fail({GLISSADE_TEXT("is not from 1 to %1"), {kMostRuns}});
+    return range;
+  }
+  Json schema(SchemaDefinitions& definitions) const {
+    Json range = Json::parse(R"({"type": "object", "additionalProperties": false, "required": ["first", "count"],
+      "properties": {"first": {"type": "integer", "minimum": 0}, "count": {"type": "integer", "minimum": 1}}})");
+    range["properties"]["count"]["maximum"] = kMostRuns;
+    return {{"oneOf", {SetFormat{kCount}.schema(definitions), std::move(range)}}};
+  }
+};
+
+constexpr FunctionFormat kMegabytes{[](const JsonCursor& at) {
+                                      const std::uint64_t megabytes = at.wholeNumber();
+                                      if (megabytes > kMostMegabytes)
+                                        at.fail({GLISSADE_TEXT("is beyond %1"), {kMostMegabytes}});
+                                      return megabytes;
+                                    },
+                                    kAsItIs, R"({"type": "integer", "minimum": 0})"};
+
+constexpr auto limitOf(ParameterId id) {
+  return Accessor{[id](const StudyLimits& limits) { return limits.settings.at(id); },
+                  [id](StudyLimits& limits, double value) { limits.settings[id] = value; }};
+}
+
+/// A member of the quick section's axes.
+template <class Value>
+constexpr auto ofAxes(Value StudyAxes::*member) {
+  return Accessor{[member](const QuickSection& quick) -> const Value& { return quick.axes.*member; },
+                  [member](QuickSection& quick, auto value) { quick.axes.*member = std::move(value); }};
+}
+
+/// Lists the cells of a file and checks what one value alone does not show. Throws JsonError.
+class CellLister {
+ public:
+  CellLister(StudyFile file, const JsonCursor& root) : file_(std::move(file)), root_(root) {}
+
+  Study list(bool quick) {
+    checkPapers();
+    std::vector<StudyRow> rows = rowsOfFile();
+    checkFindings(rows);
+    checkSeeds(rows);
+    if (quick || file_.quick) {
+      (void)root_.at("quick");
+      std::vector<StudyRow> quickRows = rowsOfQuick(rows);
+      checkSeeds(quickRows);
+      if (quick) rows = std::move(quickRows);
     }
-    std::vector<std::uint64_t> seeds(count);
-    for (std::size_t i = 0; i < seeds.size(); ++i) seeds[i] = first + i;
-    return seeds;
+    return {std::move(file_.heading), quick, cellsOfRows(rows)};
   }
 
-  void readRows(const StudyAxes& axes) {
-    const auto list = root_.find("rows");
-    if (!list) {
-      rows_.push_back({"", axes, {}, ""});
-      return;
-    }
-    std::set<std::string> labels;
-    list->sizeUpTo(kMostRows);
-    rows_ = readList(*list, [&](const JsonCursor& at) {
-      StudyRow row = readRow(at, axes);
-      if (!labels.insert(row.label).second)
-        at.at("label").fail(GLISSADE_TEXT("is there a second time"), GLISSADE_TEXT("Labels name rows."));
-      row.location = "/rows/" + std::to_string(labels.size() - 1);
-      return row;
-    });
-  }
-
-  StudyRow readRow(const JsonCursor& at, const StudyAxes& axes) {
-    at.allowOnly({"label", "scenarios", "strategies", "operators", "parameters", "grid", "limits", "seeds", "paper"});
-    StudyRow row{at.at("label").nonEmptyText(), axes, {}, ""};
-    readAxes(at, row.axes);
-    countSeeds(row, at);
-    if (const auto paper = at.find("paper")) row.paper = readPaper(*paper);
-    return row;
-  }
-
-  void countSeeds(const StudyRow& row, const JsonCursor& at) {
-    seedsOfRows_ += row.axes.seeds.size();
-    if (seedsOfRows_ > kMostRuns)
-      at.fail(GLISSADE_TEXT("makes too many runs"), GLISSADE_TEXT("Vary less, or less finely."));
-  }
-
-  std::map<std::string, PaperValue> readPaper(const JsonCursor& paper) const {
-    paper.expectObject();
+ private:
+  void checkPapers() const {
     std::vector<std::string> keys{"note"};
-    for (const PaperColumn& column : study_.heading.paper) keys.push_back(column.key);
-    std::map<std::string, PaperValue> values;
-    for (const auto& item : paper.json().items()) {
-      const JsonCursor at = paper.at(item.key());
-      if (std::find(keys.begin(), keys.end(), item.key()) == keys.end()) {
-        at.fail(GLISSADE_TEXT("is not a column of \"paper\""), {GLISSADE_TEXT("Use one of: %1."), {listed(keys)}});
+    for (const PaperColumn& column : file_.heading.paper) keys.push_back(column.key);
+    for (std::size_t i = 0; i < file_.rows.size(); ++i) {
+      for (const auto& [key, value] : file_.rows[i].paper) {
+        study_json::expectOneOf(key, keys, GLISSADE_TEXT("column"), rowAt(i).at("paper").at(key));
       }
-      if (item.value().is_null()) continue;
-      values[item.key()] = item.value().is_string() ? PaperValue(at.text()) : PaperValue(at.number());
-    }
-    return values;
-  }
-
-  /// Reads the findings. Their names are checked against all rows, including those that --quick leaves out.
-  void readFindings() {
-    const auto list = root_.find("findings");
-    if (!list) return;
-    list->sizeUpTo(kMostRows);
-    study_.heading.findings = readList(*list, study_json::readFinding);
-    for (std::size_t i = 0; i < list->size(); ++i) {
-      const JsonCursor at = list->element(i);
-      expectKnown(at.at("cells"));
-      if (at.at("than").json().is_object()) expectKnown(at.at("than"));
     }
   }
 
-  void expectKnown(const JsonCursor& selection) const {
+  /// The rows with all their settings; a file without rows has one that has no label.
+  std::vector<StudyRow> rowsOfFile() const {
+    StudyAxes general = file_.axes;
+    if (general.operators.empty()) general.operators = {"none"};
+    if (file_.rows.empty()) return {{"", general, {}, ""}};
+    std::vector<StudyRow> rows = file_.rows;
+    std::set<std::string> labels;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (!labels.insert(rows[i].label).second)
+        rowAt(i).at("label").fail(GLISSADE_TEXT("is there a second time"), GLISSADE_TEXT("Labels name rows."));
+      rows[i].axes = inherited(rows[i].axes, general);
+      rows[i].location = rowAt(i).pointer();
+    }
+    return rows;
+  }
+
+  JsonCursor rowAt(std::size_t index) const { return root_.at("rows").element(index); }
+
+  /// Checks the names of findings against all rows, including those that --quick leaves out.
+  void checkFindings(const std::vector<StudyRow>& rows) const {
+    for (std::size_t i = 0; i < file_.heading.findings.size(); ++i) {
+      const JsonCursor at = root_.at("findings").element(i);
+      checkNames(at.at("cells"), rows);
+      if (at.at("than").json().is_object()) checkNames(at.at("than"), rows);
+    }
+  }
+
+  static void checkNames(const JsonCursor& selection, const std::vector<StudyRow>& rows) {
     std::vector<std::string> labels;
     std::vector<std::string> scenarios;
-    for (const StudyRow& row : rows_) {
+    for (const StudyRow& row : rows) {
       labels.push_back(row.label);
       scenarios.insert(scenarios.end(), row.axes.scenarios.begin(), row.axes.scenarios.end());
     }
-    const auto expectAll = [&](const char* key, const std::vector<std::string>& known, CatalogueText what) {
+    const auto checkAll = [&](const char* key, const std::vector<std::string>& known, CatalogueText what) {
       const auto names = selection.find(key);
-      for (std::size_t i = 0; names && i < names->size(); ++i) expectOneOf(names->element(i), known, what);
+      for (std::size_t i = 0; names && i < names->size(); ++i)
+        study_json::expectOneOf(names->element(i).text(), known, what, names->element(i));
     };
-    expectAll("rows", labels, GLISSADE_TEXT("row"));
-    expectAll("scenarios", scenarios, GLISSADE_TEXT("scenario"));
-    expectAll("strategies", strategies_, GLISSADE_TEXT("strategy"));
-    expectAll("operators", knownOperators(), GLISSADE_TEXT("operator"));
+    checkAll("rows", labels, GLISSADE_TEXT("row"));
+    checkAll("scenarios", scenarios, GLISSADE_TEXT("scenario"));
+    checkAll("strategies", knownStrategies(), GLISSADE_TEXT("strategy"));
+    checkAll("operators", knownOperators(), GLISSADE_TEXT("operator"));
   }
 
-  /// Reads the quick section, even where it does not apply, so that its errors are found.
-  void applyQuick(bool applies) {
-    const auto quick = root_.find("quick");
-    if (!quick) {
-      if (applies) root_.at("quick");
-      return;
-    }
-    quick->allowOnly({"seeds", "rows", "operators", "limits"});
-    std::vector<StudyRow> kept;
-    seedsOfRows_ = 0;
-    for (StudyRow& row : quickRows(*quick)) {
-      readAxes(*quick, row.axes);
-      countSeeds(row, *quick);
-      kept.push_back(std::move(row));
-    }
-    if (applies) rows_ = std::move(kept);
-  }
-
-  std::vector<StudyRow> quickRows(const JsonCursor& quick) const {
-    const auto list = quick.find("rows");
-    if (!list) return rows_;
+  std::vector<StudyRow> rowsOfQuick(const std::vector<StudyRow>& all) const {
     std::vector<std::string> labels;
-    for (const StudyRow& row : rows_) labels.push_back(row.label);
-    const auto names = readSet(*list, [&](const JsonCursor& at) {
-      expectOneOf(at, labels, GLISSADE_TEXT("row"));
-      return at.text();
-    });
-    std::vector<StudyRow> chosen;
-    for (const StudyRow& row : rows_) {
-      if (std::find(names.begin(), names.end(), row.label) != names.end()) chosen.push_back(row);
+    for (const StudyRow& row : all) labels.push_back(row.label);
+    const std::vector<std::string>& chosen = file_.quick->rows;
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+      study_json::expectOneOf(chosen[i], labels, GLISSADE_TEXT("row"), root_.at("quick").at("rows").element(i));
+    std::vector<StudyRow> rows;
+    for (const StudyRow& row : all) {
+      if (!chosen.empty() && std::find(chosen.begin(), chosen.end(), row.label) == chosen.end()) continue;
+      rows.push_back(row);
+      rows.back().axes = inherited(file_.quick->axes, row.axes);
     }
-    return chosen;
+    return rows;
   }
 
-  void spellOut() {
+  /// Refuses more seeds than memory holds, before they are listed.
+  void checkSeeds(const std::vector<StudyRow>& rows) const {
+    std::uint64_t seeds = 0;
+    for (const StudyRow& row : rows) {
+      seeds += seedCount(row.axes.seeds);
+      if (seeds > kMostRuns) failTooMany(row);
+    }
+  }
+
+  std::vector<StudyCell> cellsOfRows(const std::vector<StudyRow>& rows) const {
+    std::vector<StudyCell> cells;
+    double cellsBefore = 0.0;
     double runs = 0.0;
-    double cells = 0.0;
-    for (const StudyRow& row : rows_) {
-      expectComplete(row);
-      cells += cellCount(row);
-      runs += cellCount(row) * static_cast<double>(row.axes.seeds.size());
-      if (cells > kMostCells || runs > kMostRuns)
-        locationOf(row).fail(GLISSADE_TEXT("makes too many runs"), GLISSADE_TEXT("Vary less, or less finely."));
+    for (const StudyRow& row : rows) {
+      checkComplete(row);
+      cellsBefore += cellCount(row);
+      runs += cellCount(row) * static_cast<double>(seedCount(row.axes.seeds));
+      if (cellsBefore > kMostCells || runs > kMostRuns) failTooMany(row);
       for (StudyCell& cell : cellsOf(row)) {
-        if (isSequence(cell)) expectOfSequence(cell, row);
-        study_.cells.push_back(std::move(cell));
+        if (isSequence(cell)) checkSequence(cell, row);
+        cells.push_back(std::move(cell));
       }
+    }
+    return cells;
+  }
+
+  void checkComplete(const StudyRow& row) const {
+    const auto& limits = row.axes.limits.settings;
+    const auto limited = [&](ParameterId id) { return limits.count(id) != 0 && limits.at(id) > 0.0; };
+    const JsonCursor at = placeOf(row);
+    if (row.axes.scenarios.empty()) at.fail(GLISSADE_TEXT("has no scenario"), GLISSADE_TEXT("Add \"scenarios\"."));
+    if (row.axes.strategies.empty()) at.fail(GLISSADE_TEXT("has no strategy"), GLISSADE_TEXT("Add \"strategies\"."));
+    if (seedCount(row.axes.seeds) == 0) at.fail(GLISSADE_TEXT("has no seeds"), GLISSADE_TEXT("Add \"seeds\"."));
+    if (!limited(ParameterId::TimeLimit) && !limited(ParameterId::MaxSteps) && !limited(ParameterId::MaxSamples)) {
+      at.fail(GLISSADE_TEXT("may run for ever"),
+              GLISSADE_TEXT("Give time_limit, max_steps or max_samples under \"limits\"."));
     }
   }
 
   /// Checks a cell of a sequence, which has a time limit but no parameters of paths and no other limits.
-  void expectOfSequence(const StudyCell& cell, const StudyRow& row) const {
+  void checkSequence(const StudyCell& cell, const StudyRow& row) const {
+    const JsonCursor at = placeOf(row);
     if (cell.operatorName != "none")
-      locationOf(row).fail(GLISSADE_TEXT("is a sequence with an operator"), GLISSADE_TEXT("Say \"none\"."));
+      at.fail(GLISSADE_TEXT("is a sequence with an operator"), GLISSADE_TEXT("Say \"none\"."));
     if (cell.settings.count(ParameterId::TimeLimit) == 0) {
-      locationOf(row).fail(GLISSADE_TEXT("is a sequence without a time limit"),
-                           GLISSADE_TEXT("Give time_limit under \"limits\"."));
+      at.fail(GLISSADE_TEXT("is a sequence without a time limit"), GLISSADE_TEXT("Give time_limit under \"limits\"."));
     }
     for (const auto& [id, value] : cell.settings) {
       if (isLimit(id)) continue;
-      locationOf(row).fail({GLISSADE_TEXT("is a sequence, which has no parameter %1"), {specOf(id).key}},
-                           GLISSADE_TEXT("Give limits only."));
+      at.fail({GLISSADE_TEXT("is a sequence, which has no parameter %1"), {specOf(id).key}},
+              GLISSADE_TEXT("Give limits only."));
     }
   }
 
-  void expectComplete(const StudyRow& row) const {
-    const auto limited = [&](ParameterId id) {
-      const auto found = row.axes.settings.find(id);
-      return found != row.axes.settings.end() && found->second > 0.0;
-    };
-    if (row.axes.scenarios.empty())
-      locationOf(row).fail(GLISSADE_TEXT("has no scenario"), GLISSADE_TEXT("Add \"scenarios\"."));
-    if (row.axes.strategies.empty())
-      locationOf(row).fail(GLISSADE_TEXT("has no strategy"), GLISSADE_TEXT("Add \"strategies\"."));
-    if (row.axes.seeds.empty()) locationOf(row).fail(GLISSADE_TEXT("has no seeds"), GLISSADE_TEXT("Add \"seeds\"."));
-    if (!limited(ParameterId::TimeLimit) && !limited(ParameterId::MaxSteps) && !limited(ParameterId::MaxSamples)) {
-      locationOf(row).fail(GLISSADE_TEXT("may run for ever"),
-                           GLISSADE_TEXT("Give time_limit, max_steps or max_samples under \"limits\"."));
-    }
+  [[noreturn]] void failTooMany(const StudyRow& row) const {
+    placeOf(row).fail(GLISSADE_TEXT("makes too many runs"), GLISSADE_TEXT("Vary less, or less finely."));
   }
 
-  JsonCursor locationOf(const StudyRow& row) const { return {root_.json(), root_.file(), row.location}; }
+  JsonCursor placeOf(const StudyRow& row) const { return {root_.json(), root_.file(), row.location}; }
 
+  StudyFile file_;
   const JsonCursor& root_;
-  std::vector<std::string> strategies_;
-  std::vector<StudyRow> rows_;
-  std::uint64_t seedsOfRows_ = 0;  ///< number of seeds of all rows, which are held in memory
-  Study study_;
 };
 
 }  // namespace
 
+template <class Archive>
+void describe(Archive& limits, Type<StudyLimits> /*type*/) {
+  limits.type("limits");
+  for (const ParameterSpec& spec : parameterTable()) {
+    if (isLimit(spec.id)) limits.optional(spec.key.data(), limitOf(spec.id), kNumber);
+  }
+  limits.optional("memory_limit_mb", &StudyLimits::memoryMb, kMegabytes, "Address space of the process of a run.");
+}
+
+template <class Archive>
+void describe(Archive& axes, Type<StudyAxes> /*type*/) {
+  axes.type("settings");
+  axes.optional("scenarios", &StudyAxes::scenarios, SetFormat{kNonEmptyText}, "Relative to the folder of the file.");
+  axes.optional("strategies", &StudyAxes::strategies, SetFormat{kStrategy},
+                "Planners, as 'glissade-cli plan --strategy' names them; sequence-greedy and sequence-best-first find "
+                "sequences, with a time_limit, without operators and parameters.");
+  axes.optional("operators", &StudyAxes::operators, SetFormat{OperatorFormat()});
+  axes.optional("parameters", &StudyAxes::parameters, VariedParametersFormat());
+  axes.optional("grid", &StudyAxes::grid, GridFormat(), "Every combination of these values.");
+  axes.optional("limits", &StudyAxes::limits, kObject<StudyLimits>);
+  axes.optional("seeds", &StudyAxes::seeds, SeedsFormat());
+}
+
+template <class Archive>
+void describe(Archive& row, Type<StudyRow> /*type*/) {
+  row.type("row", "A named row. Its settings replace those of the whole study; parameters and limits one by one.");
+  row.required("label", &StudyRow::label, kNonEmptyText);
+  row.embed(&StudyRow::axes);
+  row.optional("paper", &StudyRow::paper, study_json::PaperFormat(),
+               "Printed numbers or words by the keys of the columns, and a note.");
+}
+
+template <class Archive>
+void describe(Archive& quick, Type<QuickSection> /*type*/) {
+  quick.type("quick", "Settings of --quick, and the labels of the rows that stay.");
+  quick.optional("seeds", ofAxes(&StudyAxes::seeds), SeedsFormat());
+  quick.optional("rows", &QuickSection::rows, SetFormat{kNonEmptyText});
+  quick.optional("operators", ofAxes(&StudyAxes::operators), SetFormat{OperatorFormat()});
+  quick.optional("limits", ofAxes(&StudyAxes::limits), kObject<StudyLimits>);
+}
+
+template <class Archive>
+void describe(Archive& study, Type<StudyFile> /*type*/) {
+  study.type(
+      "study",
+      "Runs over rows x scenarios x strategies x operators x grid x seeds, and the numbers that a paper printed.");
+  study.constant("format", "glissade-study");
+  study.constant("version", 1);
+  study.embed(&StudyFile::heading);
+  study.embed(&StudyFile::axes);
+  study.optional("rows", &StudyFile::rows, listOf(kObject<StudyRow>, 1, study_json::kMostRows));
+  study.optional("quick", &StudyFile::quick, kObject<QuickSection>);
+}
+
+Json studySchema() { return describedSchema<StudyFile>("Glissade study, version 1"); }
+
 Result<Study> parseStudy(const std::string& text, const std::string& file, bool quick) {
-  return readJson(text, file, [quick](const JsonCursor& root) { return Reader(root).read(quick); });
+  return readJson(text, file, [quick](const JsonCursor& root) {
+    return CellLister(readDescribed<StudyFile>(root), root).list(quick);
+  });
 }
 
 }  // namespace glissade

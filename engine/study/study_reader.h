@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "engine/base/result.h"
@@ -16,5 +17,8 @@ inline constexpr std::size_t kMostStudyBytes = 16U << 20;
 /// operators and parameters, wrong types and cells without any limit are MalformedInput errors with the JSON pointer as
 /// location.
 Result<Study> parseStudy(const std::string& text, const std::string& file, bool quick);
+
+/// The JSON schema of studies: resources/schema/study-1.schema.json.
+nlohmann::ordered_json studySchema();
 
 }  // namespace glissade

@@ -37,8 +37,8 @@ Json toJson(std::size_t index, const StudyCell& cell, const CellSummary& summary
   json["scenario"] = cell.scenario;
   json["strategy"] = cell.strategy;
   json["operator"] = cell.operatorName;
-  json["settings"] = study_json::parameters(cell.settings);
-  json["parameters"] = study_json::parameters(cell.parameters);
+  json["settings"] = study_json::ParameterNumbersFormat().write(cell.settings);
+  json["parameters"] = study_json::ParameterNumbersFormat().write(cell.parameters);
   json["planned"] = summary.planned;
   json["runs"] = summary.runs;
   for (std::size_t i = 0; i < kRunStatusCount; ++i) {
@@ -49,7 +49,7 @@ Json toJson(std::size_t index, const StudyCell& cell, const CellSummary& summary
   for (const MeasureSummary& measure : summary.measures) {
     json["measures"][measure.name] = {{"solved", toJson(measure.solved)}, {"all", toJson(measure.all)}};
   }
-  json["paper"] = study_json::paper(cell.paper);
+  json["paper"] = study_json::PaperFormat().write(cell.paper);
   json["command"] = repeatCommand(cell, cell.seeds.front());
   return json;
 }
@@ -80,7 +80,7 @@ std::string summaryJson(const StudyFolder& folder, const std::vector<CellSummary
   json["study_sha256"] = plan.studySha256;
   json["plan_sha256"] = folder.planSha256();
   json["quick"] = plan.study.quick;
-  study_json::addHeading(json, plan.study.heading);
+  json.update(writeDescribed(plan.study.heading));
   json["axes"] = axesOf(plan.study);
   json["cells"] = Json::array();
   for (std::size_t i = 0; i < summaries.size(); ++i) {

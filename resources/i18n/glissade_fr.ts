@@ -9479,16 +9479,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Rejouez-le avec la version de Glissade qui l&apos;a enregistré&#xa0;: %1.</translation>
     </message>
     <message>
-        <source>names the unknown parameter &apos;%1&apos;</source>
-        <translation>nomme le paramètre inconnu «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
         <source>comes before the step above it</source>
         <translation>vient avant le pas qui le précède</translation>
-    </message>
-    <message>
-        <source>is 0</source>
-        <translation>est 0</translation>
     </message>
     <message>
         <source>is not a number of 16 hexadecimal digits</source>
@@ -9505,10 +9497,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>comes before the last checkpoint</source>
         <translation>vient avant le dernier point de contrôle</translation>
-    </message>
-    <message>
-        <source>is neither 1 nor 2</source>
-        <translation>n&apos;est ni 1 ni 2</translation>
     </message>
     <message>
         <source>Check its pose, its size and the unit of its file.</source>
@@ -10251,14 +10239,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>%1 tel que l&apos;emploient les utilisateurs d&apos;OMPL&#xa0;: collisions par FCL, arêtes vérifiées par points&#xa0;; le premier chemin est vérifié par notre certificat.</translation>
     </message>
     <message>
-        <source>Remove it to mean any.</source>
-        <translation>Supprimez-le pour admettre tout.</translation>
-    </message>
-    <message>
-        <source>pairing</source>
-        <translation>appariement</translation>
-    </message>
-    <message>
         <source>has no meaning beside a number</source>
         <translation>n&apos;a pas de sens à côté d&apos;un nombre</translation>
     </message>
@@ -10281,10 +10261,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>kind of runs</source>
         <translation>type d&apos;essais</translation>
-    </message>
-    <message>
-        <source>relation</source>
-        <translation>relation</translation>
     </message>
     <message>
         <source>%1 {1|part|parts}, %2 {2|step|steps}</source>
@@ -11055,16 +11031,8 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>n&apos;a pas de «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
-        <source>is not &quot;glissade-study-plan&quot;</source>
-        <translation>n&apos;est pas «&#xa0;glissade-study-plan&#xa0;»</translation>
-    </message>
-    <message>
         <source>is there a second time</source>
         <translation>y est une seconde fois</translation>
-    </message>
-    <message>
-        <source>See &apos;glissade-cli plan --help&apos;; &apos;_&apos; stands for &apos;-&apos;.</source>
-        <translation>Voyez «&#xa0;glissade-cli plan --help&#xa0;»&#xa0;; «&#xa0;_&#xa0;» y remplace «&#xa0;-&#xa0;».</translation>
     </message>
     <message>
         <source>is a limit</source>
@@ -11073,10 +11041,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>Move it to &quot;limits&quot;.</source>
         <translation>Déplacez-le dans «&#xa0;limits&#xa0;».</translation>
-    </message>
-    <message>
-        <source>is not &quot;glissade-study&quot;</source>
-        <translation>n&apos;est pas «&#xa0;glissade-study&#xa0;»</translation>
     </message>
     <message>
         <source>strategy</source>
@@ -11101,14 +11065,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>Vary less, or less finely.</source>
         <translation>Faites varier moins, ou moins finement.</translation>
-    </message>
-    <message>
-        <source>is not a column of &quot;paper&quot;</source>
-        <translation>n&apos;est pas une colonne de «&#xa0;paper&#xa0;»</translation>
-    </message>
-    <message>
-        <source>Use one of: %1.</source>
-        <translation>Utilisez l&apos;une de ces valeurs&#xa0;: %1.</translation>
     </message>
     <message>
         <source>row</source>
@@ -11489,6 +11445,10 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>Own rules</source>
         <translation>Règles propres</translation>
+    </message>
+    <message>
+        <source>column</source>
+        <translation>colonne</translation>
     </message>
 </context>
 <context>

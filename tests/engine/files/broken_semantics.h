@@ -78,7 +78,7 @@ inline const std::vector<BrokenScenario>& brokenSemantics() {
       {R"([{"op": "replace", "path": "/rules/fine/0/local", "value": "prm"}])", "/rules/fine/0/local",
        "no local planner 'prm'", false},
       {R"([{"op": "remove", "path": "/rules/fine/1"}])", "/rules/fine", "no last rule", false},
-      {R"([{"op": "replace", "path": "/rules/fine", "value": []}])", "/rules/fine", "fewer than 1 entries"},
+      {R"([{"op": "replace", "path": "/rules/fine", "value": []}])", "/rules/fine", "is empty"},
       {R"([{"op": "replace", "path": "/rules/loop", "value": "yes"}])", "/rules/loop", "neither true nor false"},
       {R"([{"op": "remove", "path": "/rules/fine"}])", "/rules/fine", "missing"},
   };

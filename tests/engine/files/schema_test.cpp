@@ -12,6 +12,7 @@
 #include "engine/files/joints_json.h"
 #include "engine/files/plan_file.h"
 #include "engine/files/run_record.h"
+#include "engine/study/study_reader.h"
 #include "tests/engine/files/broken_semantics.h"
 #include "tests/engine/files/some_plan.h"
 #include "tests/engine/files/some_run_record.h"
@@ -110,6 +111,8 @@ TEST(Schemas, FilesAreWhatTheCodeDescribes) {
   const std::pair<const char*, nlohmann::ordered_json> schemas[] = {
       {"scenario-1", scenarioSchema()},
       {"plan-1", planSchema()},
+      {"run-2", runRecordSchema()},
+      {"study-1", studySchema()},
       {"instruction-template-1", instructionTemplateSchema()}};
   for (const auto& [name, schema] : schemas) {
     const std::string file = test::sourceDirectory() + "/resources/schema/" + name + ".schema.json";
@@ -140,6 +143,7 @@ TEST(RunSchema, AcceptsWhatIsWritten) {
   const test::TemporaryFolder folder;
   RunRecord record = test::someRunRecord();
   record.log.start.seed = 5;  // the validator does not support whole numbers beyond 2^63
+  for (const ParameterSpec& spec : parameterTable()) record.parameters[spec.id] = spec.defaultValue;
   ASSERT_TRUE(writeRunRecord(record, folder / "run.json").ok());
   EXPECT_EQ(schema.complaint(test::readWhole(folder / "run.json")), "");
   EXPECT_NE(schema.complaint("{}"), "");
