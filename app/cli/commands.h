@@ -155,6 +155,7 @@ struct SequenceOptions {
   std::string out;                     ///< plan file to write; empty: none
   double saveEvery = 5.0;              ///< seconds between two writings of the unfinished plan
   std::string resume;                  ///< plan file to resume; empty: none
+  std::string reuse;                   ///< plan file of an earlier revision, whose motions are tried; empty: none
   FitOptions fits;
   Console console;
 };
@@ -164,6 +165,18 @@ struct SequenceOptions {
 /// some parts are stuck or leave in groups that are not taken apart; 5 time limit; 130 interrupted. The unfinished plan
 /// is always written.
 int runSequence(const SequenceOptions& options);
+
+struct CompareOptions {
+  std::string before;  ///< the earlier revision: as in SequenceOptions
+  std::string now;     ///< the later revision
+  std::string plan;    ///< assembly plan of the earlier revision; empty: none
+  Console console;
+};
+
+/// glissade-cli compare: reports which parts came, went, moved or changed their shape between two revisions of a
+/// product, and which steps of a plan still hold. Exit code 0 if the revisions are the same or, with a plan, all steps
+/// hold and every part has one; 1 otherwise.
+int runCompare(const CompareOptions& options);
 
 struct TimesOptions {
   std::string product;  ///< the product of the plan

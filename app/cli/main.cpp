@@ -282,6 +282,8 @@ ParsedCommand addSequence(const ParsedCommand& app, SequenceOptions& options) {
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   sequence.option("--resume", options.resume, GLISSADE_TEXT("Resume a plan that has not ended"));
+  sequence.option("--reuse", options.reuse,
+                  GLISSADE_TEXT("Try the motions of this plan of an earlier revision before new ones are searched"));
   sequence.option(
       "--strategy", options.strategy,
       GLISSADE_TEXT("How the order is searched: best-first or greedy (default: best-first, or the resumed plan's)"));
@@ -334,6 +336,22 @@ ParsedCommand addTimes(const ParsedCommand& app, TimesOptions& options) {
                GLISSADE_TEXT("Write the table of work times to a file, to be edited"));
   addConsole(times, options.console);
   return times;
+}
+
+ParsedCommand addCompare(const ParsedCommand& app, CompareOptions& options) {
+  const ParsedCommand compare = app.subcommand(
+      "compare",
+      GLISSADE_TEXT(
+          "Compare two revisions of a product: parts that came, went, moved or changed, and steps that hold"));
+  compare.app().footer(compare.text(GLISSADE_TEXT(
+      "Parts correspond by their names. With a plan of the earlier revision, each of its steps is judged in "
+      "the later one.\nExit codes: 0 the same, or all steps hold; 1 there are differences, or steps do not "
+      "hold; 2 wrong usage, 3 unreadable input, 130 interrupted.")));
+  compare.option("OLD", options.before, GLISSADE_TEXT("The earlier revision: a scenario or a part file"))->required();
+  compare.option("NEW", options.now, GLISSADE_TEXT("The later revision"))->required();
+  compare.option("--plan", options.plan, GLISSADE_TEXT("Assembly plan of the earlier revision"));
+  addConsole(compare, options.console);
+  return compare;
 }
 
 ParsedCommand addAccess(const ParsedCommand& app, AccessOptions& options) {
@@ -489,23 +507,15 @@ RunnableCommand runnable(const ParsedCommand& app, ParsedCommand (*add)(const Pa
 }
 
 std::vector<RunnableCommand> addCommands(const ParsedCommand& app) {
-  return {runnable(app, addPlan, runPlan),
-          runnable(app, addReplay, runReplay),
-          runnable(app, addCheck, runCheck),
-          runnable(app, addSmooth, runSmooth),
-          runnable(app, addSweep, runSweep),
-          runnable(app, addInfo, runInfo),
-          runnable(app, addFits, runFits),
-          runnable(app, addJoints, runJoints),
-          runnable(app, addSequence, runSequence),
-          runnable(app, addTimes, runTimes),
-          runnable(app, addAccess, runAccess),
-          runnable(app, addStudy, runStudyCommand),
-          runnable(app, addMerge, runMerge),
-          runnable(app, addReport, runReport),
-          runnable(app, addBenchmarkPage, runBenchmarkPage),
-          runnable(app, addConvert, runConvert),
-          runnable(app, addNew, runNew)};
+  return {runnable(app, addPlan, runPlan),          runnable(app, addReplay, runReplay),
+          runnable(app, addCheck, runCheck),        runnable(app, addSmooth, runSmooth),
+          runnable(app, addSweep, runSweep),        runnable(app, addInfo, runInfo),
+          runnable(app, addFits, runFits),          runnable(app, addJoints, runJoints),
+          runnable(app, addSequence, runSequence),  runnable(app, addCompare, runCompare),
+          runnable(app, addTimes, runTimes),        runnable(app, addAccess, runAccess),
+          runnable(app, addStudy, runStudyCommand), runnable(app, addMerge, runMerge),
+          runnable(app, addReport, runReport),      runnable(app, addBenchmarkPage, runBenchmarkPage),
+          runnable(app, addConvert, runConvert),    runnable(app, addNew, runNew)};
 }
 
 /// The language that the arguments ask for, before they are parsed, so that the help is in it.

@@ -23,6 +23,7 @@
 #include "engine/documents/plan_words.h"
 #include "engine/sequence/fasteners.h"
 #include "engine/sequence/plan_bodies.h"
+#include "engine/sequence/product_changes.h"
 #include "engine/sequence/product_finder.h"
 #include "engine/sequence/sequence_run.h"
 #include "engine/sequence/step_motion.h"
@@ -529,11 +530,18 @@ int runSequence(const SequenceOptions& options) {
   if (!found && !outOfTime) return reportError(found.error(), options.console);
   reportWarnings(loaded->warnings, options.console);
   if (loaded->forbidsPlaces) reportWarnings({placesHoldForPathsOnly(options.file)}, options.console);
+  std::optional<AssemblyPlan> reused;
+  if (!options.reuse.empty()) {
+    const auto read = readPlan(options.reuse);
+    if (!read) return reportError(read.error(), options.console);
+    reused = carriedTo(product, *read).plan;
+  }
   ProgressHost host(stop, team, product, notes);
   if (earlier) host.skip(earlier->steps.size());
   const std::string usual = options.strategy.empty() ? kUsualStrategy : options.strategy;
   const std::string strategy = earlier ? earlier->strategy : usual;
   SequenceRequest request{*staying, strategy, seed, *demands, earlier ? &*earlier : nullptr};
+  request.known = reused ? &*reused : nullptr;
   if (outOfTime) {
     reportWarnings({{ErrorKind::LimitReached, options.file, "--time-limit",
                      GLISSADE_TEXT("was reached while fits were searched"), GLISSADE_TEXT("Give more time.")}},

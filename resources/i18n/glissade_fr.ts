@@ -11450,6 +11450,84 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <source>column</source>
         <translation>colonne</translation>
     </message>
+    <message>
+        <source>another shape, up to %1 apart</source>
+        <translation>autre forme, à %1 au plus</translation>
+    </message>
+    <message>
+        <source>moved by %1</source>
+        <translation>déplacée de %1</translation>
+    </message>
+    <message>
+        <source>moved by %1 and turned by %2 degrees</source>
+        <translation>déplacée de %1 et tournée de %2 degrés</translation>
+    </message>
+    <message>
+        <source>came: %1</source>
+        <translation>ajoutée : %1</translation>
+    </message>
+    <message>
+        <source>went: %1</source>
+        <translation>supprimée : %1</translation>
+    </message>
+    <message>
+        <source>renamed: %1 is %2</source>
+        <translation>renommée : %1 s&apos;appelle %2</translation>
+    </message>
+    <message>
+        <source>changed: %1, %2</source>
+        <translation>modifiée : %1, %2</translation>
+    </message>
+    <message>
+        <source>parts: %1 unchanged, %2 changed, %3 renamed, %4 came, %5 went</source>
+        <translation>pièces : %1 inchangées, %2 modifiées, %3 renommées, %4 ajoutées, %5 supprimées</translation>
+    </message>
+    <message>
+        <source>step %1 (%2) does not hold: %3</source>
+        <translation>l&apos;étape %1 (%2) n&apos;est plus valable : %3</translation>
+    </message>
+    <message>
+        <source>no step: %1</source>
+        <translation>sans étape : %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 {2|step holds|steps hold}, %3 {3|part has|parts have} no step</source>
+        <translation>%1 {1|étape valable|étapes valables} sur %2, %3 {3|pièce|pièces} sans étape</translation>
+    </message>
+    <message>
+        <source>Plan again with &apos;glissade-cli sequence NEW --reuse PLAN --out FILE&apos;: motions of steps that hold are taken over.</source>
+        <translation>Refaites le plan avec « glissade-cli sequence NEW --reuse PLAN --out FILE » : les mouvements des étapes valables sont repris.</translation>
+    </message>
+    <message>
+        <source>a part of it is gone</source>
+        <translation>une de ses pièces n&apos;existe plus</translation>
+    </message>
+    <message>
+        <source>Try the motions of this plan of an earlier revision before new ones are searched</source>
+        <translation>Essayer les mouvements de ce plan d&apos;une révision antérieure avant d&apos;en chercher d&apos;autres</translation>
+    </message>
+    <message>
+        <source>Compare two revisions of a product: parts that came, went, moved or changed, and steps that hold</source>
+        <translation>Comparer deux révisions d&apos;un produit : pièces ajoutées, supprimées, déplacées ou modifiées, et étapes encore valables</translation>
+    </message>
+    <message>
+        <source>Parts correspond by their names. With a plan of the earlier revision, each of its steps is judged in the later one.
+Exit codes: 0 the same, or all steps hold; 1 there are differences, or steps do not hold; 2 wrong usage, 3 unreadable input, 130 interrupted.</source>
+        <translation>Les pièces se correspondent par leurs noms. Avec un plan de la révision antérieure, chacune de ses étapes est jugée dans la nouvelle.
+Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a des différences, ou des étapes ne sont plus valables ; 2 mauvais usage, 3 entrée illisible, 130 interrompu.</translation>
+    </message>
+    <message>
+        <source>The earlier revision: a scenario or a part file</source>
+        <translation>La révision antérieure : un scénario ou un fichier de pièces</translation>
+    </message>
+    <message>
+        <source>The later revision</source>
+        <translation>La nouvelle révision</translation>
+    </message>
+    <message>
+        <source>Assembly plan of the earlier revision</source>
+        <translation>Plan d&apos;assemblage de la révision antérieure</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>

@@ -706,6 +706,42 @@ TEST_F(Cli, AProductInOneStepFileIsPlannedPartByPart) {
   EXPECT_EQ(run("fits " + made + " --deflection 0.02mm").exitCode, 2);
 }
 
+TEST_F(Cli, TwoRevisionsAreComparedAndStepsThatHoldAreKept) {
+  const std::string scenarioOfOld = R"({
+    "format": "glissade-scenario", "version": 1, "name": "t", "planner": "birrt", "fits": {"mode": "on"},
+    "bodies": [{"id": "base", "geometry": {"box": [0.2, 0.2, 0.02]}},
+               {"id": "post", "geometry": {"box": [0.02, 0.02, 0.1]},
+                "pose": {"position": [0.05, 0, 0.06], "orientation": [0, 0, 0, 1]}}],
+    "object": {"id": "lid", "geometry": {"box": [0.1, 0.1, 0.01]}},
+    "start": {"position": [0.05, 0, 0.115], "orientation": [0, 0, 0, 1]},
+    "goal": {"position": [0.5, 0, 0.5], "orientation": [0, 0, 0, 1]},
+    "workspace": {"min": [-2, -2, -2], "max": [2, 2, 2]}})";
+  const std::string old = write("old.json", scenarioOfOld);
+  const std::string plan = (folder / "plan.json").string();
+  ASSERT_EQ(run("sequence " + old + " --out " + plan).exitCode, 0);
+  EXPECT_EQ(run("compare " + old + " " + old + " --plan " + plan).exitCode, 0);
+
+  Json revised = Json::parse(scenarioOfOld);
+  revised["bodies"].push_back({{"id", "roof"},
+                               {"geometry", {{"box", {0.15, 0.15, 0.01}}}},
+                               {"pose", {{"position", {0.05, 0, 0.14}}, {"orientation", {0, 0, 0, 1}}}}});
+  const std::string now = write("now.json", revised.dump());
+  EXPECT_EQ(run("compare " + old + " " + now).exitCode, 1);
+  const Finished compared = run("compare " + old + " " + now + " --plan " + plan + " --json");
+  EXPECT_EQ(compared.exitCode, 1);
+  const Json report = Json::parse(compared.out);
+  EXPECT_EQ(report["came"], Json({"roof"}));
+  EXPECT_EQ(report["without_step"], Json({"roof"}));
+  std::map<std::string, bool> holds;
+  for (const Json& step : report["steps"]) holds[step["bodies"][0]] = step["holds"];
+  EXPECT_EQ(holds, (std::map<std::string, bool>{{"lid", false}, {"post", true}}));
+
+  const std::string again = (folder / "again.json").string();
+  EXPECT_EQ(run("sequence " + now + " --reuse " + plan + " --out " + again).exitCode, 0);
+  EXPECT_EQ(run("check " + now + " " + again).exitCode, 0);
+  EXPECT_EQ(run("compare " + old + " " + now + " --plan " + again).exitCode, 3) << "a plan of another product";
+}
+
 TEST_F(Cli, PartsThatFitComeOutAndTheAllowanceIsStated) {
   const std::string made = (folder / "screw.json").string();
   const std::string path = (folder / "screw-path.json").string();
