@@ -11464,31 +11464,31 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>came: %1</source>
-        <translation>ajoutée : %1</translation>
+        <translation>ajoutée&#xa0;: %1</translation>
     </message>
     <message>
         <source>went: %1</source>
-        <translation>supprimée : %1</translation>
+        <translation>supprimée&#xa0;: %1</translation>
     </message>
     <message>
         <source>renamed: %1 is %2</source>
-        <translation>renommée : %1 s&apos;appelle %2</translation>
+        <translation>renommée&#xa0;: %1 s&apos;appelle %2</translation>
     </message>
     <message>
         <source>changed: %1, %2</source>
-        <translation>modifiée : %1, %2</translation>
+        <translation>modifiée&#xa0;: %1, %2</translation>
     </message>
     <message>
         <source>parts: %1 unchanged, %2 changed, %3 renamed, %4 came, %5 went</source>
-        <translation>pièces : %1 inchangées, %2 modifiées, %3 renommées, %4 ajoutées, %5 supprimées</translation>
+        <translation>pièces&#xa0;: %1 inchangées, %2 modifiées, %3 renommées, %4 ajoutées, %5 supprimées</translation>
     </message>
     <message>
         <source>step %1 (%2) does not hold: %3</source>
-        <translation>l&apos;étape %1 (%2) n&apos;est plus valable : %3</translation>
+        <translation>l&apos;étape %1 (%2) n&apos;est plus valable&#xa0;: %3</translation>
     </message>
     <message>
         <source>no step: %1</source>
-        <translation>sans étape : %1</translation>
+        <translation>sans étape&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1 of %2 {2|step holds|steps hold}, %3 {3|part has|parts have} no step</source>
@@ -11496,7 +11496,7 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>Plan again with &apos;glissade-cli sequence NEW --reuse PLAN --out FILE&apos;: motions of steps that hold are taken over.</source>
-        <translation>Refaites le plan avec « glissade-cli sequence NEW --reuse PLAN --out FILE » : les mouvements des étapes valables sont repris.</translation>
+        <translation>Refaites le plan avec «&#xa0;glissade-cli sequence NEW --reuse PLAN --out FILE&#xa0;»&#xa0;: les mouvements des étapes valables sont repris.</translation>
     </message>
     <message>
         <source>a part of it is gone</source>
@@ -11508,17 +11508,17 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     </message>
     <message>
         <source>Compare two revisions of a product: parts that came, went, moved or changed, and steps that hold</source>
-        <translation>Comparer deux révisions d&apos;un produit : pièces ajoutées, supprimées, déplacées ou modifiées, et étapes encore valables</translation>
+        <translation>Comparer deux révisions d&apos;un produit&#xa0;: pièces ajoutées, supprimées, déplacées ou modifiées, et étapes encore valables</translation>
     </message>
     <message>
         <source>Parts correspond by their names. With a plan of the earlier revision, each of its steps is judged in the later one.
 Exit codes: 0 the same, or all steps hold; 1 there are differences, or steps do not hold; 2 wrong usage, 3 unreadable input, 130 interrupted.</source>
         <translation>Les pièces se correspondent par leurs noms. Avec un plan de la révision antérieure, chacune de ses étapes est jugée dans la nouvelle.
-Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a des différences, ou des étapes ne sont plus valables ; 2 mauvais usage, 3 entrée illisible, 130 interrompu.</translation>
+Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 1 il y a des différences, ou des étapes ne sont plus valables&#xa0;; 2 mauvais usage, 3 entrée illisible, 130 interrompu.</translation>
     </message>
     <message>
         <source>The earlier revision: a scenario or a part file</source>
-        <translation>La révision antérieure : un scénario ou un fichier de pièces</translation>
+        <translation>La révision antérieure&#xa0;: un scénario ou un fichier de pièces</translation>
     </message>
     <message>
         <source>The later revision</source>
@@ -11868,7 +11868,7 @@ Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a d
     </message>
     <message>
         <source>Press F8 (View &gt; Layers of places &gt; Places). The free space is divided into places: the redder, the narrower; green ones are easy, yellow ones are cluttered by a mobile body. The blue line is the coarse path: the sequence of places that costs least.</source>
-        <translation>Appuyez sur F8 (Vue &gt; Couches des lieux &gt; Lieux). L&apos;espace libre est divisé en lieux : plus ils sont rouges, plus ils sont étroits ; les verts sont faciles, les jaunes encombrés par un corps mobile. La ligne bleue est le chemin grossier : la suite de lieux qui coûte le moins.</translation>
+        <translation>Appuyez sur F8 (Vue &gt; Couches des lieux &gt; Lieux). L&apos;espace libre est divisé en lieux&#xa0;: plus ils sont rouges, plus ils sont étroits&#xa0;; les verts sont faciles, les jaunes encombrés par un corps mobile. La ligne bleue est le chemin grossier&#xa0;: la suite de lieux qui coûte le moins.</translation>
     </message>
     <message>
         <source>See the fits</source>
@@ -12260,7 +12260,7 @@ Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a d
     </message>
     <message>
         <source>Hand (%1): %2; sampled, no proof</source>
-        <translation>Main (%1) : %2 ; par échantillons, sans preuve</translation>
+        <translation>Main (%1)&#xa0;: %2&#xa0;; par échantillons, sans preuve</translation>
     </message>
     <message>
         <source>Hand access to all steps</source>
@@ -12382,7 +12382,7 @@ Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a d
     </message>
     <message>
         <source>This is a free surface: it has no plane and no axis.</source>
-        <translation>C&apos;est une surface libre : elle n&apos;a ni plan ni axe.</translation>
+        <translation>C&apos;est une surface libre&#xa0;: elle n&apos;a ni plan ni axe.</translation>
     </message>
     <message>
         <source>This is the moving part. Click another body. Esc ends this.</source>
@@ -12390,7 +12390,7 @@ Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a d
     </message>
     <message>
         <source>Click to align: %1 with %2 of %3, %4. Esc ends this.</source>
-        <translation>Cliquer pour aligner : %1 avec %2 de %3, %4. Échap termine.</translation>
+        <translation>Cliquer pour aligner&#xa0;: %1 avec %2 de %3, %4. Échap termine.</translation>
     </message>
     <message>
         <source>Click the moving part: %1 of %2. Esc ends this.</source>
@@ -12457,7 +12457,7 @@ Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a d
     </message>
     <message>
         <source>Drag an arrow, a square or a ring; Ctrl suspends snapping. Drag the body itself, with Ctrl to turn it. Arrow keys and Page Up/Down move by a step, with Shift they turn. Esc ends arranging.</source>
-        <translation>Tirer une flèche, un carré ou un anneau ; Ctrl suspend l&apos;accrochage. Tirer le corps lui-même, avec Ctrl pour le tourner. Les flèches du clavier et Page préc./suiv. déplacent d&apos;un pas, avec Maj elles tournent. Échap termine.</translation>
+        <translation>Tirer une flèche, un carré ou un anneau&#xa0;; Ctrl suspend l&apos;accrochage. Tirer le corps lui-même, avec Ctrl pour le tourner. Les flèches du clavier et Page préc./suiv. déplacent d&apos;un pas, avec Maj elles tournent. Échap termine.</translation>
     </message>
     <message>
         <source>To faces</source>
@@ -12465,7 +12465,7 @@ Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a d
     </message>
     <message>
         <source>Snapped: %1. Ctrl suspends snapping.</source>
-        <translation>Accroché : %1. Ctrl suspend l&apos;accrochage.</translation>
+        <translation>Accroché&#xa0;: %1. Ctrl suspend l&apos;accrochage.</translation>
     </message>
 </context>
 <context>
@@ -12476,7 +12476,7 @@ Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a d
     </message>
     <message>
         <source>%1 is aligned.</source>
-        <translation>%1 : aligné.</translation>
+        <translation>%1&#xa0;: aligné.</translation>
     </message>
 </context>
 <context>
@@ -13447,7 +13447,7 @@ Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a d
     </message>
     <message>
         <source>Under way: %1.</source>
-        <translation>En cours : %1.</translation>
+        <translation>En cours&#xa0;: %1.</translation>
     </message>
     <message>
         <source>It goes on while this question is open. It is lost where it is ended now.</source>
@@ -13690,7 +13690,7 @@ Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a d
     </message>
     <message>
         <source>Draw the object along the path: not at all, at a number of places, or every so many millimetres</source>
-        <translation>Dessiner l&apos;objet le long du chemin : pas du tout, en un nombre de lieux, ou tous les tant de millimètres</translation>
+        <translation>Dessiner l&apos;objet le long du chemin&#xa0;: pas du tout, en un nombre de lieux, ou tous les tant de millimètres</translation>
     </message>
     <message>
         <source>Number of ghosts</source>
@@ -13706,7 +13706,7 @@ Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a d
     </message>
     <message>
         <source>Spacing of ghosts, in any unit: 25.4 mm, 1 in. Turns count as far as they move the object. At most %1 are drawn.</source>
-        <translation>Espacement des fantômes, dans une unité quelconque : 25,4 mm, 1 in. Les rotations comptent autant qu&apos;elles déplacent l&apos;objet. Au plus %1 sont dessinés.</translation>
+        <translation>Espacement des fantômes, dans une unité quelconque&#xa0;: 25,4 mm, 1 in. Les rotations comptent autant qu&apos;elles déplacent l&apos;objet. Au plus %1 sont dessinés.</translation>
     </message>
     <message>
         <source>Ghosts</source>
@@ -13728,7 +13728,7 @@ Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a d
     </message>
     <message>
         <source>The head is not tracked: nothing comes to port %1</source>
-        <translation>La tête n&apos;est pas suivie : rien n&apos;arrive au port %1</translation>
+        <translation>La tête n&apos;est pas suivie&#xa0;: rien n&apos;arrive au port %1</translation>
     </message>
 </context>
 <context>
@@ -13751,7 +13751,7 @@ Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a d
     </message>
     <message>
         <source>What the tracker sends now is the head at rest: press it while you look at the middle</source>
-        <translation>Ce que le capteur envoie maintenant est la tête au repos : appuyez en regardant le milieu</translation>
+        <translation>Ce que le capteur envoie maintenant est la tête au repos&#xa0;: appuyez en regardant le milieu</translation>
     </message>
     <message>
         <source>&amp;Reset</source>
@@ -13859,7 +13859,7 @@ Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a d
     </message>
     <message>
         <source>More of it lets a head at rest tremble less; a head that moves is followed faster</source>
-        <translation>Plus il est grand, moins une tête au repos tremble ; une tête qui bouge est suivie plus vite</translation>
+        <translation>Plus il est grand, moins une tête au repos tremble&#xa0;; une tête qui bouge est suivie plus vite</translation>
     </message>
     <message>
         <source>&amp;Delay of a head at rest</source>
@@ -13879,7 +13879,7 @@ Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a d
     </message>
     <message>
         <source>; dropped: %L1</source>
-        <translation> ; rejetés : %L1</translation>
+        <translation>&#xa0;; rejetés&#xa0;: %L1</translation>
     </message>
     <message>
         <source>now %L1 ms</source>
@@ -13887,7 +13887,7 @@ Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a d
     </message>
     <message>
         <source>The settings cannot be written: %1</source>
-        <translation>Les réglages ne peuvent pas être écrits : %1</translation>
+        <translation>Les réglages ne peuvent pas être écrits&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -13946,7 +13946,7 @@ Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a d
     </message>
     <message>
         <source>A picture of an eye: %1 draw calls, %2 triangles, %3 ms to choose them, %4 ms in OpenGL; the scene is simplified %5 of %6 times</source>
-        <translation>Une image d&apos;un œil : %1 appels de dessin, %2 triangles, %3 ms pour les choisir, %4 ms dans OpenGL ; la scène est simplifiée %5 fois sur %6</translation>
+        <translation>Une image d&apos;un œil&#xa0;: %1 appels de dessin, %2 triangles, %3 ms pour les choisir, %4 ms dans OpenGL&#xa0;; la scène est simplifiée %5 fois sur %6</translation>
     </message>
     <message>
         <source>The headset has not asked for a picture for seconds. Its program may be busy</source>
@@ -13973,7 +13973,7 @@ Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a d
     </message>
     <message>
         <source>Strategy: %1</source>
-        <translation>Stratégie : %1</translation>
+        <translation>Stratégie&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -15238,7 +15238,7 @@ Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a d
     </message>
     <message>
         <source>The files are being read: %1 of %2.</source>
-        <translation>Lecture des fichiers : %1 sur %2.</translation>
+        <translation>Lecture des fichiers&#xa0;: %1 sur %2.</translation>
     </message>
     <message>
         <source>file&apos;s</source>
@@ -15507,11 +15507,11 @@ Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a d
     </message>
     <message>
         <source>“%1” is not a length. Nothing has moved.</source>
-        <translation>« %1 » n&apos;est pas une longueur. Rien n&apos;a bougé.</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas une longueur. Rien n&apos;a bougé.</translation>
     </message>
     <message>
         <source>“%1” is not an angle. Nothing has moved.</source>
-        <translation>« %1 » n&apos;est pas un angle. Rien n&apos;a bougé.</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas un angle. Rien n&apos;a bougé.</translation>
     </message>
 </context>
 <context>
@@ -16260,11 +16260,11 @@ Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a d
     </message>
     <message>
         <source>Add:</source>
-        <translation>Ajouter :</translation>
+        <translation>Ajouter&#xa0;:</translation>
     </message>
     <message>
         <source>“%1” is no place. Write 10, 25.4 mm or 1 in.</source>
-        <translation>« %1 » n&apos;est pas une position. Écrivez 10, 25,4 mm ou 1 in.</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas une position. Écrivez 10, 25,4 mm ou 1 in.</translation>
     </message>
     <message>
         <source>Sections cut bodies open: across an axis, or along a face that is clicked. The moving part stays whole.</source>
@@ -16299,7 +16299,7 @@ Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a d
     </message>
     <message>
         <source>Place of section %1, in any unit: 25.4 mm, 1 in</source>
-        <translation>Position de la coupe %1, dans une unité quelconque : 25,4 mm, 1 in</translation>
+        <translation>Position de la coupe %1, dans une unité quelconque&#xa0;: 25,4 mm, 1 in</translation>
     </message>
 </context>
 <context>
@@ -16747,7 +16747,7 @@ Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a d
     </message>
     <message>
         <source>Step %1 of %2: %3</source>
-        <translation>Étape %1 sur %2 : %3</translation>
+        <translation>Étape %1 sur %2&#xa0;: %3</translation>
     </message>
 </context>
 <context>
@@ -16936,7 +16936,7 @@ Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a d
     </message>
     <message>
         <source>%1, in its group: %2</source>
-        <translation>%1, dans son groupe : %2</translation>
+        <translation>%1, dans son groupe&#xa0;: %2</translation>
     </message>
     <message>
         <source>of before</source>
@@ -16966,7 +16966,7 @@ Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a d
     </message>
     <message>
         <source>From pupil to pupil; 63 mm is the mean of adults</source>
-        <translation>D&apos;une pupille à l&apos;autre ; 63 mm est la moyenne des adultes</translation>
+        <translation>D&apos;une pupille à l&apos;autre&#xa0;; 63 mm est la moyenne des adultes</translation>
     </message>
     <message>
         <source>Stereo and screen</source>
@@ -17100,7 +17100,7 @@ Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a d
     </message>
     <message>
         <source>; within it or at its surface: %1</source>
-        <translation> ; à l&apos;intérieur ou à sa surface&#xa0;: %1</translation>
+        <translation>&#xa0;; à l&apos;intérieur ou à sa surface&#xa0;: %1</translation>
     </message>
     <message>
         <source>Export the swept volume</source>
@@ -17124,7 +17124,7 @@ Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a d
     </message>
     <message>
         <source>; a closer surface takes too much memory: the volume may be more than %1 % too large</source>
-        <translation> ; une surface plus proche demande trop de mémoire : le volume peut être trop grand de plus de %1 %</translation>
+        <translation>&#xa0;; une surface plus proche demande trop de mémoire&#xa0;: le volume peut être trop grand de plus de %1 %</translation>
     </message>
 </context>
 <context>
@@ -17194,7 +17194,7 @@ Codes de sortie : 0 identiques, ou toutes les étapes sont valables ; 1 il y a d
     </message>
     <message>
         <source>Stations of the line, one person each; the product passes them in order</source>
-        <translation>Postes de la ligne, une personne chacun ; le produit les passe dans l&apos;ordre</translation>
+        <translation>Postes de la ligne, une personne chacun&#xa0;; le produit les passe dans l&apos;ordre</translation>
     </message>
     <message>
         <source>A bar for each station with the numbers of its steps</source>
