@@ -62,7 +62,7 @@ int runCompare(const CompareOptions& options) {
   const PartChoice choice{{}, plan ? plan->bodies : std::vector<std::string>()};
   const auto before = loadProduct(options.before, stop, deflection, choice);
   if (!before) return reportError(before.error(), options.console);
-  const auto now = loadProduct(options.now, stop, deflection, choice);
+  auto now = loadProduct(options.now, stop, deflection, choice);
   if (!now) return reportError(now.error(), options.console);
   if (plan) {
     std::vector<std::string> ids;
@@ -71,9 +71,10 @@ int runCompare(const CompareOptions& options) {
       return reportError(same.error(), options.console);
   }
   reportWarnings(now->warnings, options.console);
+  now->product = withIdsOf(before->product, std::move(now->product));
   const ProductChanges changes = changesBetween(before->product, now->product, stop);
   std::optional<ComparedPlan> compared;
-  if (plan) compared = comparePlan(*plan, before->product, *now, stop);
+  if (plan) compared = comparePlan(*plan, before->product, *now, changes, stop);
   if (interrupt.requested()) return exitCode(ErrorKind::Interrupted);
   if (options.console.json) {
     Json json = toJson(changes, before->product, now->product);

@@ -39,6 +39,7 @@
 #include "widgets/run/refusal_controller.h"
 #include "widgets/run/run_controller.h"
 #include "widgets/section/section_controller.h"
+#include "widgets/sequence/revision_controller.h"
 #include "widgets/sequence/sequence_controller.h"
 #include "widgets/sequence/step_camera.h"
 #include "widgets/sequence/times_controller.h"
@@ -129,6 +130,7 @@ void MainWindow::addParts() {
   connect(stepCamera, &StepCamera::cameraMoved, view, &ViewController::publishOperatorFrame);
   eyes->addTools(*refusal, *sequence, {*sections, *measure}, *path->panel());
   new TimesController(bench_, *sequence);
+  new RevisionController(bench_, *sequence);
   new ManualController(bench_);
   new BoxSelection(bench_);
   remember_ = [this, path, sequence, eyes] {

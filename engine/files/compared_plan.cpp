@@ -53,8 +53,9 @@ std::size_t ComparedPlan::holding() const {
       std::count_if(steps.begin(), steps.end(), [](const auto& each) { return each.holds; }));
 }
 
-ComparedPlan comparePlan(const AssemblyPlan& plan, const AssembledProduct& before, const ProductFile& now,
-                         const StopToken& stop) {
+ComparedPlan comparePlan(const AssemblyPlan& plan, const AssembledProduct& before, ProductFile now,
+                         const ProductChanges& changes, const StopToken& stop) {
+  for (const auto& [earlier, later] : changes.renamed) now.product.bodies[later].id = before.bodies[earlier].id;
   const AssembledProduct& product = now.product;
   CarriedPlan carried = carriedTo(product, plan);
   const check::PlanVerdict verdict = judgeCarried(carried, now, stop);

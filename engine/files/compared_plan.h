@@ -25,9 +25,10 @@ struct ComparedPlan {
   bool holds() const { return holding() == steps.size() && withoutStep.empty(); }
 };
 
-/// Judges each step of the plan in the later revision. `before`: the product of the plan.
-ComparedPlan comparePlan(const AssemblyPlan& plan, const AssembledProduct& before, const ProductFile& now,
-                         const StopToken& stop = {});
+/// Judges each step of the plan in the later revision. `before`: the product of the plan. `changes`: the differences of
+/// the two.
+ComparedPlan comparePlan(const AssemblyPlan& plan, const AssembledProduct& before, ProductFile now,
+                         const ProductChanges& changes, const StopToken& stop = {});
 
 /// A line for each difference, and their numbers.
 std::vector<Message> inWords(const ProductChanges& changes, const AssembledProduct& before,

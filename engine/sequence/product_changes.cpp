@@ -229,6 +229,19 @@ void endOutside(AssemblyStep& step, const AssembledProduct& product) {
 
 }  // namespace
 
+AssembledProduct withIdsOf(const AssembledProduct& before, AssembledProduct now) {
+  std::map<std::string, std::string> ids;
+  for (const RigidBody& body : before.bodies) {
+    if (!now.indexOf(body.id)) ids.emplace(body.name, body.id);
+  }
+  for (RigidBody& body : now.bodies) {
+    if (before.indexOf(body.id)) continue;
+    const auto found = ids.extract(body.name);
+    if (!found.empty()) body.id = found.mapped();
+  }
+  return now;
+}
+
 ProductChanges changesBetween(const AssembledProduct& before, const AssembledProduct& now, const StopToken& stop) {
   return Comparison(before, now, stop).find();
 }

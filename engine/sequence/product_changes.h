@@ -31,6 +31,10 @@ struct ProductChanges {
   bool none() const { return came.empty() && went.empty() && renamed.empty() && changed.empty(); }
 };
 
+/// The later revision with the ids of the earlier one, for bodies with other ids and the same names. A scenario has
+/// other ids than the file that it was made of.
+AssembledProduct withIdsOf(const AssembledProduct& before, AssembledProduct now);
+
 /// Compares two revisions. Parts correspond by their ids; parts with other ids correspond if one has the shape and the
 /// place of the other. Shapes are the same if their surfaces are nowhere farther apart than their triangles may be from
 /// the surfaces of the file. Bodies have their frames at the centres of their boxes. After a stop the result is

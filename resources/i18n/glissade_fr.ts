@@ -2522,6 +2522,18 @@
         <source>Show the bar of the section planes</source>
         <translation>Affiche la barre des plans de coupe</translation>
     </message>
+    <message>
+        <source>Compare with a revisio&amp;n...</source>
+        <translation>Comparer a&amp;vec une révision...</translation>
+    </message>
+    <message>
+        <source>Compare the product with a file of another revision, and judge each step in it</source>
+        <translation>Comparer le produit avec un fichier d&apos;une autre révision, et y juger chaque étape</translation>
+    </message>
+    <message>
+        <source>version change difference update engineering change</source>
+        <translation>version changement différence mise à jour modification</translation>
+    </message>
 </context>
 <context>
     <name>Arranging</name>
@@ -15989,6 +16001,37 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>How the device&apos;s deflection (across) is answered (up); the dot is where it is now</source>
         <translation>Réponse (en ordonnée) au débattement du périphérique (en abscisse)&#xa0;; le point indique la valeur actuelle</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::RevisionController</name>
+    <message>
+        <source>Compare with another revision</source>
+        <translation>Comparer avec une autre révision</translation>
+    </message>
+    <message>
+        <source>Products (*.step *.stp *.p21 *.iges *.igs *.brep *.urdf *.json);;All files (*)</source>
+        <translation>Produits (*.step *.stp *.p21 *.iges *.igs *.brep *.urdf *.json);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>The revisions were not compared</source>
+        <translation>Les révisions n&apos;ont pas été comparées</translation>
+    </message>
+    <message>
+        <source>Comparing revisions</source>
+        <translation>Comparaison des révisions</translation>
+    </message>
+    <message>
+        <source>Comparison with %1</source>
+        <translation>Comparaison avec %1</translation>
+    </message>
+    <message>
+        <source>Differences, and steps that do not hold</source>
+        <translation>Différences, et étapes qui ne sont plus valables</translation>
+    </message>
+    <message>
+        <source>The open product is the earlier revision. Each step of its sequence is judged in the other one.</source>
+        <translation>Le produit ouvert est la révision antérieure. Chaque étape de sa séquence est jugée dans l&apos;autre.</translation>
     </message>
 </context>
 <context>

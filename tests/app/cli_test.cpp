@@ -736,6 +736,13 @@ TEST_F(Cli, TwoRevisionsAreComparedAndStepsThatHoldAreKept) {
   for (const Json& step : report["steps"]) holds[step["bodies"][0]] = step["holds"];
   EXPECT_EQ(holds, (std::map<std::string, bool>{{"lid", false}, {"post", true}}));
 
+  Json renamed = Json::parse(scenarioOfOld);
+  renamed["bodies"][1]["id"] = "column";
+  const Finished ofRenamed =
+      run("compare " + old + " " + write("renamed.json", renamed.dump()) + " --plan " + plan + " --json");
+  EXPECT_EQ(ofRenamed.exitCode, 0) << ofRenamed.out;
+  EXPECT_EQ(Json::parse(ofRenamed.out)["renamed"][0]["now"], "column");
+
   const std::string again = (folder / "again.json").string();
   EXPECT_EQ(run("sequence " + now + " --reuse " + plan + " --out " + again).exitCode, 0);
   EXPECT_EQ(run("check " + now + " " + again).exitCode, 0);

@@ -20,6 +20,7 @@
 #include "widgets/places/rules_dialog.h"
 #include "widgets/product/parts_dialog.h"
 #include "widgets/sequence/plan_graph_view.h"
+#include "widgets/sequence/revision_controller.h"
 #include "widgets/sequence/times_view.h"
 #include "widgets/view/named_views_dialog.h"
 #include "widgets/view/stereo_dialog.h"
@@ -56,6 +57,9 @@ class EveryDialog {
     dialogs_.push_back(std::make_unique<HeadDialog>(
         HeadPreferences{}, [] { return HeadState{}; }, &window));
     dialogs_.push_back(std::make_unique<NamedViewsDialog>(NamedViews{}, &window));
+    dialogs_.emplace_back(makeRevisionDialog(QStringLiteral("bracket-2.step"),
+                                             {QStringLiteral("moved: bolt by 2 mm"), QStringLiteral("no step: bolt")},
+                                             &window));
   }
 
   const std::vector<std::unique_ptr<QWidget>>& dialogs() const { return dialogs_; }
