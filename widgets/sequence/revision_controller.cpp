@@ -14,17 +14,25 @@
 namespace glissade {
 namespace {
 
-/// The comparison in words. `plan`: may be null.
-Result<std::vector<Message>> compare(const AssembledProduct& product, const AssemblyPlan* plan, const std::string& file,
-                                     const StopToken& stop) {
+struct Comparison {
+  std::vector<Message> lines;  ///< for people
+  bool isSame = false;
+  std::size_t holding = 0;  ///< steps that hold
+};
+
+/// `plan`: may be null.
+Result<Comparison> compare(const AssembledProduct& product, const AssemblyPlan* plan, const std::string& file,
+                           const StopToken& stop) {
   auto now = loadProduct(file, stop, plan != nullptr ? plan->deflection : 0.0);
   if (!now) return now.error();
   now->product = withIdsOf(product, std::move(now->product));
   const ProductChanges changes = changesBetween(product, now->product, stop);
-  std::vector<Message> lines = inWords(changes, product, now->product);
-  if (plan == nullptr) return lines;
-  for (Message& line : inWords(comparePlan(*plan, product, *now, changes, stop))) lines.push_back(std::move(line));
-  return lines;
+  Comparison found{inWords(changes, product, now->product), changes.none()};
+  if (plan == nullptr) return found;
+  const ComparedPlan compared = comparePlan(*plan, product, *now, changes, stop);
+  found.holding = compared.holding();
+  for (Message& line : inWords(compared)) found.lines.push_back(std::move(line));
+  return found;
 }
 
 }  // namespace
@@ -39,11 +47,7 @@ RevisionController::RevisionController(const Workbench& bench, SequenceControlle
     compareWith(QString::fromStdString(words[0]));
     return Outcome(Done{});
   });
-  bench_.scripts.add("expect-revision", 1, [this](const ScriptCommands::Words& words) -> Outcome {
-    const QString text = lines_.join(QStringLiteral("; "));
-    if (text.contains(QString::fromStdString(words[0]))) return Done{};
-    return unmetExpectation("the comparison says: " + text.toStdString());
-  });
+  bench_.scripts.add("expect-revision", 2, [this](const ScriptCommands::Words& words) { return expect(words); });
 }
 
 void RevisionController::chooseFile() {
@@ -61,15 +65,16 @@ void RevisionController::compareWith(const QString& file) {
   const auto work = [this, file, scenario, product = hasPlan ? shown.product : nullptr,
                      plan = hasPlan ? shown.plan : nullptr](const WorkWatch& watch) -> BackgroundTask::Delivery {
     const AssembledProduct open = product ? *product : productOf(*scenario);
-    const auto found =
-        std::make_shared<Result<std::vector<Message>>>(compare(open, plan.get(), file.toStdString(), watch.stop));
+    const auto found = std::make_shared<Result<Comparison>>(compare(open, plan.get(), file.toStdString(), watch.stop));
     return [this, file, found] {
       if (!*found) {
         bench_.messages.showError(tr("The revisions were not compared"), found->error());
         return;
       }
       QStringList lines;
-      for (const Message& line : **found) lines << engineText(line);
+      for (const Message& line : (*found)->lines) lines << engineText(line);
+      isSame_ = (*found)->isSame;
+      holding_ = (*found)->holding;
       show(file, lines);
     };
   };
@@ -77,10 +82,16 @@ void RevisionController::compareWith(const QString& file) {
 }
 
 void RevisionController::show(const QString& file, const QStringList& lines) {
-  lines_ = lines;
   delete dialog_;
   dialog_ = makeRevisionDialog(file, lines, &bench_.window);
   dialog_->show();
+}
+
+/// The words: "same" or "other", and the number of steps that hold.
+Outcome RevisionController::expect(const ScriptCommands::Words& words) const {
+  const std::string found = std::string(isSame_ ? "same" : "other") + " " + std::to_string(holding_);
+  if (found == words[0] + " " + words[1]) return Done{};
+  return unmetExpectation("the revision is " + found + ", not " + words[0] + " " + words[1]);
 }
 
 QDialog* makeRevisionDialog(const QString& file, const QStringList& lines, QWidget* parent) {

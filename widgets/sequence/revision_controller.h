@@ -2,6 +2,8 @@
 
 #include <QStringList>
 
+#include <cstddef>
+
 #include "widgets/workbench/workbench.h"
 
 class QDialog;
@@ -22,11 +24,13 @@ class RevisionController final : public QObject {
   void chooseFile();
   void compareWith(const QString& file);
   void show(const QString& file, const QStringList& lines);
+  Outcome expect(const ScriptCommands::Words& words) const;
 
   const Workbench& bench_;
   SequenceController& sequence_;
   QDialog* dialog_ = nullptr;  ///< owned by the window
-  QStringList lines_{};        ///< the last result
+  bool isSame_ = false;        ///< the last comparison has found no difference
+  std::size_t holding_ = 0;    ///< steps that hold in the revision of the last comparison
 };
 
 /// The dialog with the result of a comparison. `file`: the other revision.

@@ -40,6 +40,15 @@ TEST_F(SequenceWindow, AProductIsPlannedPlayedAndExploded) {
   EXPECT_GT(difference(QImage(file("step.png")), QImage(file("exploded.png"))).share, 0.01);
 }
 
+TEST_F(SequenceWindow, TheProductIsComparedWithAnotherRevision) {
+  const QString stand = QString::fromStdString(sourceDirectory()) + "/samples/roller-stand/scenario.json";
+  expectGood(runOnStand(QStringLiteral("compare-with %1\nexpect-revision same 0\n"
+                                       "plan-sequence all\ncompare-with %1\nexpect-revision same 10\n"
+                                       "screenshot %2\n")
+                            .arg(stand, file("comparison.png"))));
+  EXPECT_GT(QFile(file("comparison.png")).size(), 0);
+}
+
 TEST_F(SequenceWindow, TimesFollowThePlanAndTheNumberOfStations) {
   expectGood(
       runOnStand(QStringLiteral("times 3\nexpect-times stations 0\nplan-sequence all\nexpect-times stations 3\n"
