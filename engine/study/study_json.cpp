@@ -106,7 +106,7 @@ constexpr ChoiceFormat kOver{"solved", "all", GLISSADE_TEXT("kind of runs")};
 template <class Owner>
 constexpr auto ofQuantity(std::string Quantity::*member) {
   return Accessor{[member](const Owner& owner) -> const std::string& { return owner.quantity.*member; },
-                  [member](Owner& owner, std::string value) { owner.quantity.*member = std::move(value); }};
+                  [member](Owner& owner, const std::string& value) { owner.quantity.*member = value; }};
 }
 
 template <class Owner>
