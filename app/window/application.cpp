@@ -297,7 +297,7 @@ int runApplication(int argc, char** argv, const SceneWidgetFactory& makeScene, S
   const Preferences preferences = isBatch(parser) ? Preferences{"en"} : WindowMemory().preferences();
   const QString language = languageOf(asked, preferences, QLocale::system().name().section(QLatin1Char('_'), 0, 0));
   setFontPoints(preferences.fontPoints);
-  setLengthUnit(preferences.lengthUnit);
+  if (preferences.lengthUnit) setLengthUnit(*preferences.lengthUnit);
   QTranslator translator;
   QLocale::setDefault(QLocale(language));
   if (language == "fr" && translator.load(QStringLiteral(":/i18n/glissade_fr.qm"))) {

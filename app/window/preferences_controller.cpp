@@ -18,7 +18,8 @@ PreferencesController::PreferencesController(const Workbench& bench, SetAutosave
       setAutosave_(std::move(setAutosave)),
       desktopTheme_(isDark(QApplication::palette()) ? Theme::Dark : Theme::Light) {
   bench.onAction("edit.preferences", this, [this] { change(); });
-  connect(&bench.document, &WorkbenchDocument::changed, this, [this](Changes what) {
+  // Before panels write lengths.
+  connect(&bench.document, &WorkbenchDocument::changedForView, this, [this](Changes what) {
     if (what & (Change::Scenario | Change::Arrangement)) showLengthUnit();
   });
   connect(bench.actions["view.dark"], &QAction::toggled, this, &PreferencesController::takeTheme);
@@ -69,21 +70,25 @@ void PreferencesController::apply(const Preferences& preferences) {
 
 namespace {
 
-/// The unit in which lengths are shown, for a file with this unit in metres.
-LengthUnit unitOfFile(double metres) {
-  if (metres == kInch || metres == kFoot) return LengthUnit::Inches;
-  if (metres == 0.001) return LengthUnit::Millimetres;
-  return metres == 1.0 ? LengthUnit::Metres : LengthUnit::Fitting;
+/// The unit in which lengths of a scenario are shown if the user chose none.
+LengthUnit unitOf(const LoadedScenario& scenario) {
+  constexpr double kMillimetre = 1e-3;
+  constexpr double kLargeWorkspace = 2.0;  // metres
+  const double ofFile = scenario.product.lengthUnit();
+  if (ofFile == kInch || ofFile == kFoot) return LengthUnit::Inches;
+  if (ofFile == kMillimetre) return LengthUnit::Millimetres;
+  const bool isLarge = scenario.problem.bounds.sizes().maxCoeff() >= kLargeWorkspace;
+  return isLarge ? LengthUnit::Metres : LengthUnit::Millimetres;
 }
 
 }  // namespace
 
-/// Shows lengths in the unit of the product's file if no unit was chosen.
+/// Shows lengths in the unit that suits the scenario if no unit was chosen.
 void PreferencesController::showLengthUnit() {
   const ScenarioPtr scenario = bench_.document.scenario();
-  const double ofFile = scenario ? scenario->product.lengthUnit() : 0.0;
-  const bool isChosen = present_.lengthUnit != LengthUnit::Fitting;
-  const LengthUnit unit = isChosen ? present_.lengthUnit : unitOfFile(ofFile);
+  const LengthUnit unit = present_.lengthUnit ? *present_.lengthUnit
+                          : scenario          ? unitOf(*scenario)
+                                              : LengthUnit::Millimetres;
   if (unit == lengthUnit()) return;
   setLengthUnit(unit);
   announceLengthUnit();

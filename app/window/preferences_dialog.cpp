@@ -93,11 +93,13 @@ void PreferencesDialog::fill(const Preferences& present) {
   font_->setDecimals(1);
   font_->setSuffix(tr(" pt"));
   font_->setValue(present.fontPoints);
-  unit_->addItem(tr("Follow product file; else µm, mm and m"), static_cast<int>(LengthUnit::Fitting));
+  unit_->addItem(tr("Follow product"));
+  unit_->setItemData(0, tr("Unit of the product's file; else millimetres, or metres in a workspace of 2 m or more"),
+                     Qt::ToolTipRole);
   unit_->addItem(tr("Millimetres"), static_cast<int>(LengthUnit::Millimetres));
   unit_->addItem(tr("Inches"), static_cast<int>(LengthUnit::Inches));
   unit_->addItem(tr("Metres"), static_cast<int>(LengthUnit::Metres));
-  unit_->setCurrentIndex(unit_->findData(static_cast<int>(present.lengthUnit)));
+  if (present.lengthUnit) unit_->setCurrentIndex(unit_->findData(static_cast<int>(*present.lengthUnit)));
   autosave_->setRange(kLeastAutosaveSeconds, kMostAutosaveSeconds);
   autosave_->setSuffix(tr(" s"));
   autosave_->setValue(present.autosaveSeconds);
@@ -135,9 +137,10 @@ void PreferencesDialog::addColours(QFormLayout& form, const SceneColours& presen
 }
 
 Preferences PreferencesDialog::preferences() const {
+  const QVariant unit = unit_->currentData();
   return {language_->currentData().toString(),
           font_->value(),
-          static_cast<LengthUnit>(unit_->currentData().toInt()),
+          unit.isValid() ? std::optional(static_cast<LengthUnit>(unit.toInt())) : std::nullopt,
           autosave_->value(),
           {background_->colour(), path_->colour(), start_->colour(), goal_->colour()},
           static_cast<ThemeChoice>(theme_->currentData().toInt())};

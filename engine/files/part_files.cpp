@@ -255,9 +255,14 @@ Result<std::vector<MeasuredPart>> partsInFile(const std::string& path, GeometryC
   whole.asOne = !apart && isCadFile(path);
   const auto geometry = readPart(whole, read, stop);
   if (!geometry) return geometry.error();
-  if (!isCadFile(path) && !whole.groups) return std::vector<MeasuredPart>{{"", boxOf(**geometry)}};
+  if (!isCadFile(path) && !whole.groups) {
+    const std::vector<Occurrence>& solids = (*geometry)->parts;
+    return std::vector<MeasuredPart>{{"", boxOf(**geometry), solids.empty() ? Occurrence() : solids.front()}};
+  }
   std::vector<MeasuredPart> parts;
-  for (const Occurrence& part : (*geometry)->parts) parts.push_back({part.path, boundingBox(*part.mesh, part.X_FP)});
+  for (const Occurrence& part : (*geometry)->parts) {
+    parts.push_back({part.path, boundingBox(*part.mesh, part.X_FP), part});
+  }
   return parts;
 }
 

@@ -55,10 +55,11 @@ Result<LoadedGeometryPtr> readPart(const PartFile& part, GeometryCache& read, co
 void readSmallFiles(const std::vector<std::string>& paths, GeometryCache& read, const StopToken& stop = {});
 
 /// One of the parts of a file, with its bounding box in the units and axes of the file (metres where
-/// saysItsUnit()).
+/// saysItsUnit()), and its mesh.
 struct MeasuredPart {
   std::string part;  ///< as in PartFile; empty where the file holds one part
   Box3 inFile;
+  Occurrence solid{};  ///< in the units and axes of the file; that of the first body where the part has several
 };
 /// The parts of a CAD file; the single part of another file. `apart`: each solid of a part with several solids, and
 /// each group of an OBJ file, is a part. `read` and errors are those of readPart().

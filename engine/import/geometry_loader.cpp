@@ -544,9 +544,12 @@ Box3 boxOf(const LoadedGeometry& geometry) {
   return box;
 }
 
+Pose uprightPose(UpAxis up) {
+  return {Vector3::Zero(), up == UpAxis::Y ? fromRollPitchYaw(std::acos(0.0), 0.0, 0.0) : Quaternion::Identity()};
+}
+
 TriangleMesh interpreted(TriangleMesh mesh, double unit, UpAxis up) {
-  const Pose upright{Vector3::Zero(),
-                     up == UpAxis::Y ? fromRollPitchYaw(std::acos(0.0), 0.0, 0.0) : Quaternion::Identity()};
+  const Pose upright = uprightPose(up);
   for (Vector3& vertex : mesh.vertices) vertex = upright * Vector3(unit * vertex);
   return mesh;
 }

@@ -85,6 +85,8 @@ TriangleMesh wholeMesh(const LoadedGeometry& geometry, const Vector3& reference)
 /// Bounding box of all parts, in their body's frame.
 Box3 boxOf(const LoadedGeometry& geometry);
 
+/// Turns the axis that is up in a file to z.
+Pose uprightPose(UpAxis up);
 /// Converts file coordinates to metres with z up.
 TriangleMesh interpreted(TriangleMesh mesh, double unit, UpAxis up);
 

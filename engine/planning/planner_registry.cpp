@@ -118,7 +118,7 @@ PlannerRegistry allWholePlanners() {
        }});
   registry.add(
       {"by-hand", GLISSADE_TEXT("With my hand"),
-       GLISSADE_TEXT("You steer the object. The way of your hand is kept and proved, and the computer searches "
+       GLISSADE_TEXT("You steer the object. The way of your hand is kept and certified, and the computer searches "
                      "from it; at α = 1 the automatic planners finish the path."),
        true, true, [](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
          return std::make_unique<HandPlanner>(problem, seed);

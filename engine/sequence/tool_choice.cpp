@@ -24,7 +24,7 @@ std::vector<ToolKind> toolsByDrive(DriveKind drive) {
   return {};
 }
 
-/// Tools for a fastener of which only the shape is known.
+/// Tools for a fastener of which only the shape is known; empty if it is not clear.
 std::vector<ToolKind> toolsByShape(const ProductShapes& shapes, std::size_t body, FastenerKind kind) {
   if (kind == FastenerKind::Nut) return {ToolKind::Socket, ToolKind::OpenWrench};
   if (kind != FastenerKind::Screw) return {};
@@ -34,7 +34,8 @@ std::vector<ToolKind> toolsByShape(const ProductShapes& shapes, std::size_t body
   const std::vector<ToolKind> tools = toolsByDrive(head->drive);
   if (!tools.empty()) return tools;
   if (head->sides == 6 || head->sides == 4) return {ToolKind::Socket, ToolKind::OpenWrench};
-  return {head->height >= kSocketHead * head->shaft ? ToolKind::HexKey : ToolKind::Screwdriver};
+  if (head->height >= kSocketHead * head->shaft) return {ToolKind::HexKey};
+  return {};  // nothing on a smooth round head shows how it is turned
 }
 
 std::vector<ToolUse> usesOf(const std::vector<ToolKind>& tools, std::size_t turned) {

@@ -2534,6 +2534,30 @@
         <source>version change difference update engineering change</source>
         <translation>version changement différence mise à jour modification</translation>
     </message>
+    <message>
+        <source>Bac&amp;k to the start place</source>
+        <translation>Re&amp;venir à la place de départ</translation>
+    </message>
+    <message>
+        <source>In the headset, go back to where the scenario was first seen</source>
+        <translation>Dans le casque, revenir à l&apos;endroit d&apos;où le scénario a d&apos;abord été vu</translation>
+    </message>
+    <message>
+        <source>S&amp;elect with the ray</source>
+        <translation>Sélec&amp;tionner avec le rayon</translation>
+    </message>
+    <message>
+        <source>Select the body that the ray of a controller meets</source>
+        <translation>Sélectionner le corps que le rayon d&apos;une manette rencontre</translation>
+    </message>
+    <message>
+        <source>Lea&amp;ve the headset</source>
+        <translation>&amp;Quitter le casque</translation>
+    </message>
+    <message>
+        <source>Stop showing the scene in the headset</source>
+        <translation>Ne plus montrer la scène dans le casque</translation>
+    </message>
 </context>
 <context>
     <name>Arranging</name>
@@ -11339,10 +11363,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Avec ma main</translation>
     </message>
     <message>
-        <source>You steer the object. The way of your hand is kept and proved, and the computer searches from it; at α = 1 the automatic planners finish the path.</source>
-        <translation>Vous guidez l&apos;objet. Le trajet de votre main est conservé et prouvé, et l&apos;ordinateur cherche à partir de lui&#xa0;; à α = 1, les planificateurs automatiques finissent le chemin.</translation>
-    </message>
-    <message>
         <source>has fewer than %1 entries</source>
         <translation>a moins de %1 entrées</translation>
     </message>
@@ -11539,6 +11559,10 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>Assembly plan of the earlier revision</source>
         <translation>Plan d&apos;assemblage de la révision antérieure</translation>
+    </message>
+    <message>
+        <source>You steer the object. The way of your hand is kept and certified, and the computer searches from it; at α = 1 the automatic planners finish the path.</source>
+        <translation>Vous guidez l&apos;objet. Le trajet de votre main est conservé et certifié, et l&apos;ordinateur cherche à partir de lui&#xa0;; à α = 1, les planificateurs automatiques finissent le chemin.</translation>
     </message>
 </context>
 <context>
@@ -12708,6 +12732,10 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>no</source>
         <translation>non</translation>
+    </message>
+    <message>
+        <source>by volume</source>
+        <translation>par le volume</translation>
     </message>
 </context>
 <context>
@@ -13972,6 +14000,10 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <source>The headset is off</source>
         <translation>Le casque est éteint</translation>
     </message>
+    <message>
+        <source>The headset reports no controllers that are known here. Known are Touch, Index, Vive, Windows Mixed Reality, and OpenXR&apos;s simple controller</source>
+        <translation>Le casque n&apos;annonce aucune manette connue ici. Sont connues Touch, Index, Vive, Windows Mixed Reality et la manette simple d&apos;OpenXR</translation>
+    </message>
 </context>
 <context>
     <name>glissade::HeadsetPage</name>
@@ -13986,6 +14018,22 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>Strategy: %1</source>
         <translation>Stratégie&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Calcul</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>Séquence</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Scène</translation>
+    </message>
+    <message>
+        <source>No sequence yet</source>
+        <translation>Pas encore de séquence</translation>
     </message>
 </context>
 <context>
@@ -15010,6 +15058,17 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     </message>
 </context>
 <context>
+    <name>glissade::OpenSavedButton</name>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>Ouvrir %1</translation>
+    </message>
+</context>
+<context>
     <name>glissade::PaceBox</name>
     <message>
         <source>Full speed</source>
@@ -15719,8 +15778,12 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <translation>Clair ou sombre, comme le système au démarrage du programme</translation>
     </message>
     <message>
-        <source>Follow product file; else µm, mm and m</source>
-        <translation>Suivre le fichier du produit&#xa0;; sinon µm, mm et m</translation>
+        <source>Follow product</source>
+        <translation>Suivre le produit</translation>
+    </message>
+    <message>
+        <source>Unit of the product&apos;s file; else millimetres, or metres in a workspace of 2 m or more</source>
+        <translation>Unité du fichier du produit&#xa0;; sinon millimètres, ou mètres dans un espace de travail de 2 m ou plus</translation>
     </message>
 </context>
 <context>
@@ -15796,6 +15859,10 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>A recording was not saved</source>
         <translation>Enregistrement non sauvegardé</translation>
+    </message>
+    <message>
+        <source>The recording was saved as %1</source>
+        <translation>L&apos;enregistrement a été sauvé sous %1</translation>
     </message>
 </context>
 <context>

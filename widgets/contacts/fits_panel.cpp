@@ -36,10 +36,6 @@ void setLength(QTreeWidgetItem& item, int column, double sortedBy, const QString
 /// The value by which gaps are sorted; an overlap is a negative gap.
 double signedGap(const Contact& contact) { return contact.overlap > 0.0 ? -contact.overlap : contact.gap; }
 
-QString signedLengthText(double metres) {
-  return metres < 0.0 ? QStringLiteral("−") + columnLengthText(-metres) : columnLengthText(metres);
-}
-
 QString amountText(const Contact& contact) {
   const QString amount = contact.overlap > 0.0 ? FitsPanel::tr("%1 overlap").arg(lengthText(contact.overlap))
                          : contact.gap > 0.0   ? FitsPanel::tr("%1 gap").arg(lengthText(contact.gap))
@@ -129,7 +125,7 @@ void FitsPanel::addRow(std::size_t index) {
   const PairFit& fit = (*fits_)[index];
   auto* row = new SortedRow(table_);
   row->setText(Kind, contactKindText(fit.contact.kind));
-  setLength(*row, Amount, signedGap(fit.contact), signedLengthText(signedGap(fit.contact)));
+  setLength(*row, Amount, signedGap(fit.contact), columnLengthText(signedGap(fit.contact)));
   row->setToolTip(Amount, amountText(fit.contact));
   const double allowance = fit.way().allowance();
   setLength(*row, Thinning, allowance, allowance > 0.0 ? columnLengthText(allowance) : QStringLiteral("–"));

@@ -1,5 +1,6 @@
 #include "widgets/controls/diagnostic_text.h"
 
+#include "widgets/controls/length_text.h"
 #include "widgets/controls/window_language.h"
 
 namespace glissade {
@@ -14,7 +15,13 @@ QString asSentence(QString text) {
 
 }  // namespace
 
-QString engineText(const Message& message) { return QString::fromStdString(toString(message, windowLanguage())); }
+MessageStyle windowStyle() {
+  MessageStyle style(windowLanguage());
+  style.length = [](double metres) { return lengthText(metres).toStdString(); };
+  return style;
+}
+
+QString engineText(const Message& message) { return QString::fromStdString(toString(message, windowStyle())); }
 
 QString diagnosticText(const Diagnostic& why) {
   const QString reason = asSentence(engineText(why.reason));
@@ -22,6 +29,6 @@ QString diagnosticText(const Diagnostic& why) {
   return advice.isEmpty() ? reason : reason + QLatin1Char(' ') + advice;
 }
 
-QString diagnosticLine(const Diagnostic& why) { return QString::fromStdString(toString(why, windowLanguage())); }
+QString diagnosticLine(const Diagnostic& why) { return QString::fromStdString(toString(why, windowStyle())); }
 
 }  // namespace glissade

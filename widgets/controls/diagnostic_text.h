@@ -6,7 +6,10 @@
 
 namespace glissade {
 
-/// A text of the engine in the language of the window.
+/// The language of the window and the unit of its lengths, for texts of the engine.
+MessageStyle windowStyle();
+
+/// A text of the engine in the style of the window.
 QString engineText(const Message& message);
 
 /// The reason and the advice in the user's language, as sentences, without file and place.

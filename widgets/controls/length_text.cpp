@@ -5,7 +5,6 @@
 #include <QWidget>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 
@@ -15,54 +14,61 @@ namespace glissade {
 namespace {
 
 constexpr int kSignificantDigits = 3;
-constexpr int kMostDecimals = 9;
-/// Metres. A field that shows smaller differences is in micrometres if the unit is fitting.
-constexpr double kFinestInMillimetres = 1e-7;
 constexpr double kRounding = 1e-9;
 
+/// A unit, and the one in which lengths are written that would need more than `decimals` here.
 struct UnitEntry {
   const char* name;
   double metres;
+  int decimals;
+  const UnitEntry* smaller;
 };
 
-constexpr UnitEntry kMetre{"m", 1.0};
-constexpr UnitEntry kMillimetre{"mm", 1e-3};
-constexpr UnitEntry kMicrometre{"µm", 1e-6};
-constexpr UnitEntry kInchEntry{"in", kInch};
+constexpr UnitEntry kMicrometre{"µm", 1e-6, 9, nullptr};
+constexpr UnitEntry kMillimetre{"mm", 1e-3, 4, &kMicrometre};
+constexpr UnitEntry kMetre{"m", 1.0, 5, &kMillimetre};
+constexpr UnitEntry kMicroinch{"µin", 1e-6 * kInch, 9, nullptr};
+constexpr UnitEntry kInchEntry{"in", kInch, 5, &kMicroinch};
 
 std::atomic<LengthUnit>& chosenUnit() {
-  static std::atomic<LengthUnit> unit{LengthUnit::Fitting};
+  static std::atomic<LengthUnit> unit{LengthUnit::Millimetres};
   return unit;
 }
 
-/// The unit of a length of this size. Lengths below `smallestInMillimetres` are in micrometres if the unit is fitting.
-UnitEntry unitFor(double metres, double smallestInMillimetres) {
+const UnitEntry& unitOfProgram() {
   switch (chosenUnit().load()) {
     case LengthUnit::Millimetres: return kMillimetre;
     case LengthUnit::Inches: return kInchEntry;
-    case LengthUnit::Metres: return kMetre;
-    case LengthUnit::Fitting: break;
+    case LengthUnit::Metres: break;
   }
-  if (metres >= 1.0) return kMetre;
-  return metres >= smallestInMillimetres ? kMillimetre : kMicrometre;
+  return kMetre;
 }
 
 /// Number of decimals that leaves the significant digits of a number below 1,000.
 int decimalsOf(double value) {
+  if (value == 0.0 || !std::isfinite(value)) return 0;
   constexpr double kRoundsUp = 1.0 + 0.5e-3;  // 9.996 is written as 10.0
   const int before = static_cast<int>(std::floor(std::log10(value * kRoundsUp))) + 1;
-  return std::clamp(kSignificantDigits - before, 0, kMostDecimals);
+  return std::max(kSignificantDigits - before, 0);
+}
+
+/// The unit in which `decimals(number)` are not too many for a length.
+template <class Decimals>
+const UnitEntry& fittingUnit(double metres, Decimals decimals) {
+  const UnitEntry* unit = &unitOfProgram();
+  while (unit->smaller != nullptr && decimals(metres / unit->metres) > unit->decimals) unit = unit->smaller;
+  return *unit;
 }
 
 QString nameOf(const UnitEntry& unit) { return QString::fromUtf8(unit.name); }
 
-QString textIn(const UnitEntry& unit, double metres) {
+QString numberIn(const UnitEntry& unit, double metres, int decimals) {
   if (!std::isfinite(metres)) return QStringLiteral("∞");
-  constexpr double kLeast = 0.5e-9;  // smaller values have only zeros
-  const double value = std::abs(metres / unit.metres) < kLeast ? 0.0 : metres / unit.metres;
-  const int decimals = value == 0.0 ? 0 : decimalsOf(std::abs(value));
-  return QLocale().toString(value, 'f', decimals) + QLatin1Char(' ') + nameOf(unit);
+  const QString size = QLocale().toString(std::abs(metres) / unit.metres, 'f', decimals);
+  return metres < 0.0 ? QStringLiteral("−") + size : size;
 }
+
+QString withUnit(const QString& number, const UnitEntry& unit) { return number + QLatin1Char(' ') + nameOf(unit); }
 
 }  // namespace
 
@@ -79,22 +85,42 @@ void announceLengthUnit() {
   }
 }
 
-QString lengthText(double metres) {
-  constexpr double kSmallestInMillimetres = 1e-5;
-  const double size = std::abs(metres);
-  if (size == 0.0) return textIn(unitFor(kMillimetre.metres, 0.0), metres);
-  return textIn(unitFor(size, kSmallestInMillimetres), metres);
+QString lengthText(double metres) { return lengthsText({metres}, {}); }
+
+QString lengthsText(const std::vector<double>& metres, const QString& separator) {
+  constexpr double kLeast = 0.5e-15;  // metres; smaller lengths would be written as 0 µm
+  double largest = 0.0;
+  for (const double each : metres) largest = std::max(largest, std::abs(each) < kLeast ? 0.0 : std::abs(each));
+  const UnitEntry& unit = fittingUnit(largest, decimalsOf);
+  const int decimals = std::min(decimalsOf(largest / unit.metres), unit.decimals);
+  QStringList numbers;
+  for (const double each : metres) numbers << numberIn(unit, largest == 0.0 ? 0.0 : each, decimals);
+  return std::isfinite(largest) ? withUnit(numbers.join(separator), unit) : numbers.join(separator);
 }
 
 QString columnLengthText(double metres) {
-  if (chosenUnit().load() != LengthUnit::Fitting) return lengthText(metres);
-  return textIn(kMillimetre, metres);
+  const UnitEntry& unit = lengthUnit() == LengthUnit::Inches ? kInchEntry : kMillimetre;
+  const double value = std::abs(metres) / unit.metres;
+  if (!std::isfinite(value)) return lengthText(metres);
+  const double finest = std::pow(10.0, -unit.decimals);
+  if (value == 0.0 || value >= finest / 2.0) {
+    return withUnit(numberIn(unit, metres, std::min(decimalsOf(value), unit.decimals)), unit);
+  }
+  const double limit = std::copysign(finest * unit.metres, metres);
+  return QLatin1Char(metres < 0.0 ? '>' : '<') + withUnit(numberIn(unit, limit, unit.decimals), unit);
 }
 
 LengthField lengthField(double finest) {
-  const UnitEntry unit = unitFor(finest, kFinestInMillimetres);
-  const int decimals = static_cast<int>(std::ceil(-std::log10(finest / unit.metres) - kRounding));
-  return {nameOf(unit), 1.0 / unit.metres, std::clamp(decimals, 0, kMostDecimals)};
+  const auto decimalsFor = [](double number) {
+    return std::max(0, static_cast<int>(std::ceil(-std::log10(number) - kRounding)));
+  };
+  const UnitEntry& unit = fittingUnit(finest, decimalsFor);
+  return {nameOf(unit), 1.0 / unit.metres, std::min(decimalsFor(finest / unit.metres), unit.decimals)};
+}
+
+LengthField usualLengthField(double usual) {
+  const UnitEntry& unit = fittingUnit(usual, decimalsOf);
+  return {nameOf(unit), 1.0 / unit.metres, std::min(decimalsOf(usual / unit.metres) + 1, unit.decimals)};
 }
 
 QString countText(std::uint64_t count) { return QLocale().toString(static_cast<qulonglong>(count)); }

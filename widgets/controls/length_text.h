@@ -1,13 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include <QString>
 
 namespace glissade {
 
-/// The unit in which the window writes lengths. "Fitting" is µm, mm or m, as it fits each length.
-enum class LengthUnit { Fitting, Millimetres, Inches, Metres };
+/// The unit in which the window writes lengths.
+enum class LengthUnit { Millimetres, Inches, Metres };
 
 /// The unit of all lengths that the program writes. The program has one, as it has one default locale of Qt: the text
 /// of a length must not depend on its writer. Read on any thread. Widgets learn of a change by QEvent::LocaleChange
@@ -20,13 +21,16 @@ void announceLengthUnit();
 /// The unit, in metres, of which round lengths are multiples: an inch if lengths are in inches, else a metre.
 double roundLengthUnit();
 
-/// A length in the selected unit, with three significant digits, as the user's language writes numbers: "3.21 µm",
-/// "0.150 mm", "24.0 mm", "1.52 m". Every length that people read is written by this function, so that two texts of one
-/// length never differ.
+/// A length in the unit of the program, with three significant digits, as the user's language writes numbers:
+/// "0.150 mm", "24.0 mm". A length that would need many decimals is in the next smaller unit: "3.21 µm". Every length
+/// that people read is written by this function, so that two texts of one length never differ.
 QString lengthText(double metres);
 
-/// The text of a length in a column of lengths that are compared: all are in one unit. The fitting unit is millimetres
-/// there.
+/// Lengths of one thing in one unit, with the decimals that lengthText() gives the largest: "40.0 × 12.5 × 3.0 mm".
+QString lengthsText(const std::vector<double>& metres, const QString& separator);
+
+/// The text of a small length (gap, clearance, allowance, thread) in a column, where all are in one unit: inches if the
+/// program's unit is inches, else millimetres. A length that would be written as 0 is a limit: "<0.0001 mm".
 QString columnLengthText(double metres);
 
 /// A count, as the user's language writes numbers.
@@ -41,5 +45,8 @@ struct LengthField {
 
 /// The unit of a field that has to show a difference of `finest` metres.
 LengthField lengthField(double finest);
+
+/// The unit of a field whose usual length is shown in the unit of lengthText(), with one more digit if it has room.
+LengthField usualLengthField(double usual);
 
 }  // namespace glissade

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "widgets/controls/cell_delegates.h"
 #include "widgets/controls/quiet_focus.h"
 
 namespace glissade {
@@ -28,6 +29,8 @@ NameTable::NameTable(std::vector<Names> names, QWidget* parent) : QTreeWidget(pa
   setUniformRowHeights(true);
   setAlternatingRowColors(true);
   setTextElideMode(Qt::ElideMiddle);
+  setItemDelegate(new WholeWordsDelegate(this));
+  for (const Names& each : names_) setItemDelegateForColumn(each.column, new NameDelegate(each.column, this));
   setContextMenuPolicy(Qt::ActionsContextMenu);
   header()->setSectionResizeMode(QHeaderView::Interactive);
   header()->setStretchLastSection(false);

@@ -20,8 +20,6 @@ constexpr int kSliderSteps = 1000;
 constexpr int kNumberBorder = 30;
 /// Thresholds of the default value, metres: below the first one, numbers need a thousandth of a micrometre; below the
 /// second one, a thousandth of a millimetre.
-constexpr double kMinute = 1e-5;
-constexpr double kSmall = 1e-3;
 /// Colour of tuned parameters: Okabe and Ito's orange, which nothing else in the panels has.
 constexpr QRgb kTunedColour = 0xffe69f00;
 
@@ -86,7 +84,7 @@ void ParameterSlider::showUnit() {
   const ParameterSpec& spec = specOf(id_);
   if (spec.unit != "m") return;
   const double usual = spec.scale == ParameterScale::ObjectRadius ? radius_ * spec.defaultValue : spec.defaultValue;
-  const LengthField field = lengthField(usual < kMinute ? 1e-9 : usual < kSmall ? 1e-6 : 1e-4);
+  const LengthField field = usualLengthField(usual);
   shownPerUnit_ = field.perMetre;
   number_->setDecimals(field.decimals);
   number_->setSuffix(QLatin1Char(' ') + field.unit);

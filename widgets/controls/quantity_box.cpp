@@ -1,5 +1,6 @@
 #include "widgets/controls/quantity_box.h"
 
+#include <QKeyEvent>
 #include <numbers>
 
 #include "engine/base/quantity_text.h"
@@ -59,6 +60,15 @@ QString QuantityBox::textFromValue(double value) const {
 QValidator::State QuantityBox::validate(QString& text, int& /*position*/) const {
   const auto read = quantityOf(text);
   return read && *read >= minimum() && *read <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
+}
+
+bool QuantityBox::event(QEvent* event) {
+  const auto* key = event->type() == QEvent::ShortcutOverride ? static_cast<QKeyEvent*>(event) : nullptr;
+  if (key == nullptr || !(key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo))) {
+    return QDoubleSpinBox::event(event);
+  }
+  event->ignore();
+  return true;
 }
 
 void QuantityBox::fixup(QString& text) const {

@@ -25,6 +25,8 @@ class QuantityBox final : public QDoubleSpinBox {
   QString textFromValue(double value) const override;
   QValidator::State validate(QString& text, int& position) const override;
   void fixup(QString& text) const override;
+  /// Ctrl+Z undoes the last edit of the document, not letters in the field.
+  bool event(QEvent* event) override;
 
  signals:
   /// The text is no number of this quantity, or one outside of the range; the value stays.

@@ -61,7 +61,8 @@ QString standardAction(const HandInput& input, std::size_t button) {
       case ControllerButton::Upper: return QStringLiteral("path.play");
       case ControllerButton::Stick: return QStringLiteral("headset.panel-in-front");
       case ControllerButton::Trigger:
-        return isLeft && !hasOneButton(input) ? QStringLiteral("headset.measure") : QString();
+        if (hasOneButton(input)) return {};
+        return isLeft ? QStringLiteral("headset.measure") : QStringLiteral("headset.select");
     }
   }
   if (button == 0) return QStringLiteral("operator.camera");

@@ -2,6 +2,7 @@
 
 #include "widgets/measure/measure_controller.h"
 #include "widgets/section/section_controller.h"
+#include "widgets/workbench/scene_target.h"
 
 namespace glissade {
 namespace {
@@ -9,6 +10,7 @@ namespace {
 constexpr int kHandTick = 16;  ///< ms
 constexpr const char* kSection = "headset.section";
 constexpr const char* kMeasure = "headset.measure";
+constexpr const char* kSelect = "headset.select";
 
 }  // namespace
 
@@ -18,7 +20,16 @@ HandTools::HandTools(const Workbench& bench, const MeasuringTools& tools)
   connect(&timer_, &QTimer::timeout, this, &HandTools::follow);
   bench.onAction(kSection, this, [this] { cut(); });
   bench.onAction(kMeasure, this, [this] { measurePoint(); });
+  bench.onAction(kSelect, this, [this] { selectBody(); });
 }
+
+namespace {
+
+Ray rayOf(const ControllerReading& reading) {
+  return {reading.X_WA->position, reading.X_WA->orientation * -Vector3::UnitZ()};
+}
+
+}  // namespace
 
 /// Cuts, and follows the hand while a button is held. Without a held button it cuts once.
 void HandTools::cut() {
@@ -39,7 +50,16 @@ void HandTools::follow() {
 void HandTools::measurePoint() {
   const ControllerReading now = reading(kMeasure);
   if (!now.X_WA || !bench_.document.scenario()) return;
-  tools_.measure.measureAlong({now.X_WA->position, now.X_WA->orientation * -Vector3::UnitZ()});
+  tools_.measure.measureAlong(rayOf(now));
+}
+
+/// Selects the body that the ray meets; none if it meets no body.
+void HandTools::selectBody() {
+  const ControllerReading now = reading(kSelect);
+  if (!now.X_WA || !bench_.document.scenario()) return;
+  SemanticSelection selection;
+  if (const auto body = targetAlong(bench_, rayOf(now)).body) selection.bodies = {*body};
+  bench_.document.semantics().select(selection);
 }
 
 std::optional<ControllerSide> HandTools::holding(const char* action) const {

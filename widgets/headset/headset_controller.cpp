@@ -7,7 +7,8 @@
 namespace glissade {
 namespace {
 
-constexpr int kStallTick = 500;  ///< ms
+constexpr int kTick = 500;     ///< ms
+constexpr int kPatience = 20;  ///< ticks until the window says that no controller is known
 /// Position of the sign, below the sign of the head tracker.
 constexpr QPoint kSignPlace(10, 48);
 
@@ -73,10 +74,13 @@ HeadsetController::HeadsetController(const Workbench& bench)
   headset_->setHands(bench.session.hand());
   headset_->onChanged(
       [this] { QMetaObject::invokeMethod(this, &HeadsetController::showStatus, Qt::QueuedConnection); });
-  stallTimer_.setInterval(kStallTick);
-  connect(&stallTimer_, &QTimer::timeout, this, &HeadsetController::showStatus);
+  timer_.setInterval(kTick);
+  connect(&timer_, &QTimer::timeout, this, &HeadsetController::tick);
   connect(bench.actions["view.headset"], &QAction::toggled, this, &HeadsetController::setOn);
-  bench.onAction("headset.on-table", this, [this] { place(); });
+  for (const char* id : {"headset.on-table", "headset.to-place"}) {
+    bench.onAction(id, this, [this] { place(); });
+  }
+  bench.onAction("headset.leave", this, [this] { bench_.actions["view.headset"]->setChecked(false); });
   bench.onAction("headset.figures", this, [this] { showFigures(); });
   connect(&bench.document, &WorkbenchDocument::changed, this, [this](Changes what) {
     if (what & Change::Scenario) place();  // only another scenario moves the person, not an edit
@@ -86,8 +90,9 @@ HeadsetController::HeadsetController(const Workbench& bench)
 }
 
 void HeadsetController::disable() {
-  for (const char* id : {"view.headset", "headset.on-table", "headset.panel-in-front", "headset.section",
-                         "headset.measure", "headset.left-handed", "headset.grip-alpha", "headset.figures"}) {
+  for (const char* id : {"view.headset", "headset.on-table", "headset.to-place", "headset.panel-in-front",
+                         "headset.leave", "headset.section", "headset.measure", "headset.select", "headset.left-handed",
+                         "headset.grip-alpha", "headset.figures"}) {
     QAction* action = bench_.actions[QLatin1String(id)];
     action->setEnabled(false);
     action->setStatusTip(tr("This program was built without OpenXR, or there is no display"));
@@ -99,10 +104,10 @@ void HeadsetController::setOn(bool on) {
   if (on) {
     place();
     headset_->start();
-    stallTimer_.start();
+    timer_.start();
   } else {
     headset_->stop();
-    stallTimer_.stop();
+    timer_.stop();
   }
   showStatus();
 }
@@ -119,16 +124,32 @@ void HeadsetController::setBackground() {
   headset_->setBackground(view.background(), view.backgroundBelow());
 }
 
+void HeadsetController::tick() {
+  const HandInputs& hands = *bench_.session.hand();
+  const bool isKnown = !hands.leftController.buttons.mailbox.reading().name.empty() ||
+                       !hands.rightController.buttons.mailbox.reading().name.empty();
+  const bool lacks = headset_->status().state == HeadsetState::Running && !isKnown;
+  ticksWithoutControllers_ = lacks ? ticksWithoutControllers_ + 1 : 0;
+  showStatus();
+}
+
 void HeadsetController::showStatus() {
   const HeadsetStatus status = headset_->status();
-  if (status == shown_) return;
+  const bool lacksControllers = ticksWithoutControllers_ >= kPatience;
+  if (status == shown_ && lacksControllers == lacksControllers_) return;
   shown_ = status;
+  lacksControllers_ = lacksControllers;
   QAction& action = *bench_.actions["view.headset"];
   if (status.state == HeadsetState::Left && action.isChecked()) {
     const QSignalBlocker blocker(action);
     action.setChecked(false);
   }
-  const QString text = textOf(status);
+  QString text = textOf(status);
+  if (text.isEmpty() && lacksControllers) {
+    text =
+        tr("The headset reports no controllers that are known here. Known are Touch, Index, Vive, Windows Mixed "
+           "Reality, and OpenXR's simple controller");
+  }
   sign_->setText(text);
   sign_->adjustSize();
   sign_->setVisible(!text.isEmpty() && status.state != HeadsetState::Left);

@@ -24,6 +24,7 @@ class HeadsetController final : public QObject {
   static QString troubleText(const HeadsetStatus& status);
   void disable();
   void setOn(bool on);
+  void tick();
   void showStatus();
   void showFigures();
   void place();
@@ -32,8 +33,10 @@ class HeadsetController final : public QObject {
   const Workbench& bench_;
   QLabel* sign_;
   HeadsetStatus shown_;
-  QTimer stallTimer_;  ///< runs while the headset is on, because no change is announced for a stall
-  Headset* headset_;   ///< the scene's headset; null: the scene can have none
+  bool lacksControllers_ = false;    ///< is shown
+  int ticksWithoutControllers_ = 0;  ///< ticks in which pictures were shown and no controller was known
+  QTimer timer_;  ///< runs while the headset is on, because nothing announces a stall or that controllers are lacking
+  Headset* headset_;  ///< the scene's headset; null: the scene can have none
 };
 
 }  // namespace glissade

@@ -66,12 +66,12 @@ void addLine(QVBoxLayout& layout) {
 
 HeadsetPage::HeadsetPage(const ActionCatalogue& actions, QWidget* parent)
     : QWidget(parent),
+      sheets_(new QStackedWidget(this)),
       strategy_(makeLabel("headset-strategy", this)),
       strategies_(new QButtonGroup(this)),
       status_(makeLabel("headset-status", this)),
       sliders_(
           new ParameterSliders({ParameterId::Alpha, ParameterId::ContactSamples, ParameterId::ContactDistance}, this)),
-      sequence_(new QWidget(this)),
       step_(makeLabel("headset-step", this)),
       what_(makeLabel("headset-refused", this)),
       why_(makeLabel("headset-reason", this)),
@@ -87,21 +87,71 @@ HeadsetPage::HeadsetPage(const ActionCatalogue& actions, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(28, 22, 28, 22);
   layout->setSpacing(18);
-  layout->addLayout(makeStrategies());
-  layout->addLayout(makeButtons(actions, {"run.start", "run.stop", "path.play", "edit.undo", "edit.redo"}, this));
-  layout->addWidget(status_);
+  layout->addLayout(makeHead());
   addLine(*layout);
-  for (ParameterSlider* slider : sliders_->all()) slider->setNumberReadOnly();
-  connect(sliders_, &ParameterSliders::commanded, this, &HeadsetPage::commanded);
-  layout->addWidget(sliders_);
-  sequence_->setLayout(makeSequence(actions));
-  layout->addWidget(sequence_);
-  layout->addStretch();
+  sheets_->addWidget(makeRunSheet(actions));
+  sheets_->addWidget(makeSequenceSheet(actions));
+  sheets_->addWidget(makeSceneSheet(actions));
+  layout->addWidget(sheets_, 1);
   layout->addLayout(makeRefusal());
   makeQuestion();
   setStep({});
   setRefusal({}, {});
   ask({}, {}, {});
+}
+
+/// Makes the buttons of the sheets, and the state of the run beside them.
+QLayout* HeadsetPage::makeHead() {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(12);
+  auto* buttons = new QButtonGroup(this);
+  const std::vector<std::pair<const char*, QString>> sheets{
+      {"headset-run", tr("Run")}, {"headset-sequence", tr("Sequence")}, {"headset-scene", tr("Scene")}};
+  for (std::size_t i = 0; i < sheets.size(); ++i) {
+    auto* button = new QToolButton(this);
+    button->setObjectName(QLatin1String(sheets[i].first));
+    button->setText(sheets[i].second);
+    button->setCheckable(true);
+    button->setChecked(i == 0);
+    buttons->addButton(button);
+    row->addWidget(button);
+    connect(button, &QToolButton::clicked, this, [this, i] { sheets_->setCurrentIndex(static_cast<int>(i)); });
+  }
+  row->addWidget(status_, 1);
+  return row;
+}
+
+QWidget* HeadsetPage::makeRunSheet(const ActionCatalogue& actions) {
+  auto* sheet = new QWidget;
+  auto* column = new QVBoxLayout(sheet);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(18);
+  column->addLayout(makeStrategies());
+  column->addLayout(
+      makeButtons(actions, {"run.start", "run.stop", "path.play", "paths.keep", "edit.undo", "edit.redo"}, sheet));
+  for (ParameterSlider* slider : sliders_->all()) slider->setNumberReadOnly();
+  connect(sliders_, &ParameterSliders::commanded, this, &HeadsetPage::commanded);
+  column->addWidget(sliders_);
+  column->addStretch();
+  return sheet;
+}
+
+QWidget* HeadsetPage::makeSceneSheet(const ActionCatalogue& actions) {
+  auto* sheet = new QWidget;
+  auto* column = new QVBoxLayout(sheet);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(18);
+  const std::vector<std::vector<const char*>> groups{
+      {"headset.on-table", "headset.to-place", "headset.leave"},
+      {"display.shaded-edges", "display.shaded", "display.see-through", "display.wireframe"},
+      {"headset.select", "body.hide", "body.isolate", "body.show-all"},
+      {"headset.section", "section.remove-all", "headset.measure", "measure.clear"}};
+  for (const auto& group : groups) {
+    column->addLayout(makeButtons(actions, group, sheet));
+    if (&group != &groups.back()) addLine(*column);
+  }
+  column->addStretch();
+  return sheet;
 }
 
 /// The question lies over the whole page, and keeps hands from its controls.
@@ -140,14 +190,16 @@ QLayout* HeadsetPage::makeStrategies() {
   return row;
 }
 
-QLayout* HeadsetPage::makeSequence(const ActionCatalogue& actions) {
-  auto* column = new QVBoxLayout;
+QWidget* HeadsetPage::makeSequenceSheet(const ActionCatalogue& actions) {
+  auto* sheet = new QWidget;
+  auto* column = new QVBoxLayout(sheet);
   column->setContentsMargins(0, 0, 0, 0);
-  addLine(*column);
+  column->setSpacing(18);
+  column->addLayout(makeButtons(actions, {"sequence.plan", "sequence.play", "headset.instruction"}, sheet));
   column->addWidget(step_);
-  column->addLayout(makeButtons(
-      actions, {"sequence.previous-step", "sequence.next-step", "sequence.play", "headset.instruction"}, sequence_));
-  return column;
+  column->addLayout(makeButtons(actions, {"sequence.previous-step", "sequence.next-step"}, sheet));
+  column->addStretch();
+  return sheet;
 }
 
 QLayout* HeadsetPage::makeRefusal() {
@@ -160,7 +212,7 @@ QLayout* HeadsetPage::makeRefusal() {
 
 void HeadsetPage::setScenario(const LoadedScenario& scenario) { sliders_->setScenario(scenario); }
 
-void HeadsetPage::setSnapshot(const SessionSnapshot& snapshot, const QString& status) {
+void HeadsetPage::setSnapshot(const SessionSnapshot& snapshot, const std::string& deviceId, const QString& status) {
   const auto chosen = QString::fromStdString(snapshot.plannerId);
   strategies_->setExclusive(false);
   bool isMain = false;
@@ -173,8 +225,8 @@ void HeadsetPage::setSnapshot(const SessionSnapshot& snapshot, const QString& st
   const PlannerEntry* entry = planners.find(snapshot.plannerId);
   strategy_->setText(isMain || entry == nullptr ? tr("Strategy") : tr("Strategy: %1").arg(engineText(entry->label)));
   status_->setText(status);
-  status_->setVisible(!status.isEmpty());
   sliders_->setSnapshot(snapshot);
+  if (entry != nullptr) sliders_->showOnly(parametersInUse(*entry, deviceId));
 }
 
 void HeadsetPage::setReplayed(bool replayed) {
@@ -182,10 +234,7 @@ void HeadsetPage::setReplayed(bool replayed) {
   for (QAbstractButton* button : strategies_->buttons()) button->setEnabled(!replayed);
 }
 
-void HeadsetPage::setStep(const QString& place) {
-  step_->setText(place);
-  sequence_->setVisible(!place.isEmpty());
-}
+void HeadsetPage::setStep(const QString& place) { step_->setText(place.isEmpty() ? tr("No sequence yet") : place); }
 
 void HeadsetPage::setRefusal(const QString& what, const QString& why) {
   what_->setText(what);

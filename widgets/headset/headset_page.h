@@ -2,6 +2,7 @@
 
 #include <QButtonGroup>
 #include <QLabel>
+#include <QStackedWidget>
 #include <QStringList>
 #include <QWidget>
 
@@ -10,9 +11,10 @@
 
 namespace glissade {
 
-/// The content of the panel in the scene of a headset: strategy, run, the parameters of interaction, undo, the steps of
-/// the sequence, and reasons of refusals. It has the actions and the parameters of the window. Everything is large
-/// enough to be pointed at with a hand, and nothing needs a keyboard or opens a window.
+/// The content of the panel in the scene of a headset, on three sheets: strategy, run, the parameters of interaction
+/// and undo; the sequence; place, display and bodies. Reasons of refusals are below. It has the actions and the
+/// parameters of the window. Everything is large enough to be pointed at with a hand, and nothing needs a keyboard or
+/// opens a window.
 class HeadsetPage final : public QWidget {
   Q_OBJECT
 
@@ -26,8 +28,8 @@ class HeadsetPage final : public QWidget {
   explicit HeadsetPage(const ActionCatalogue& actions, QWidget* parent = nullptr);
 
   void setScenario(const LoadedScenario& scenario);
-  /// `status`: the state of the run, in words.
-  void setSnapshot(const SessionSnapshot& snapshot, const QString& status);
+  /// `status`: the state of the run, in words. Parameters that do not affect the strategy with the device are hidden.
+  void setSnapshot(const SessionSnapshot& snapshot, const std::string& deviceId, const QString& status);
   /// Sets whether a replay is shown, which cannot be steered.
   void setReplayed(bool replayed);
   /// Shows the place in the sequence; empty: there is none.
@@ -43,16 +45,19 @@ class HeadsetPage final : public QWidget {
   void answered(int answer);
 
  private:
+  QLayout* makeHead();
+  QWidget* makeRunSheet(const ActionCatalogue& actions);
+  QWidget* makeSequenceSheet(const ActionCatalogue& actions);
+  QWidget* makeSceneSheet(const ActionCatalogue& actions);
   QLayout* makeStrategies();
-  QLayout* makeSequence(const ActionCatalogue& actions);
   QLayout* makeRefusal();
   void makeQuestion();
 
+  QStackedWidget* sheets_;
   QLabel* strategy_;
   QButtonGroup* strategies_;
   QLabel* status_;
   ParameterSliders* sliders_;
-  QWidget* sequence_;
   QLabel* step_;
   QLabel* what_;
   QLabel* why_;

@@ -111,7 +111,7 @@ void HeadsetPanelController::showRun() {
   const SnapshotPtr& snapshot = bench_.run.snapshot();
   if (!snapshot) return;
   const bool hasRun = snapshot->state != SessionState::Idle && !snapshot->problem;
-  page_->setSnapshot(*snapshot, hasRun ? statusText(*snapshot) : QString());
+  page_->setSnapshot(*snapshot, bench_.session.deviceId(), hasRun ? statusText(*snapshot) : QString());
 }
 
 void HeadsetPanelController::showRefusal() {

@@ -37,7 +37,6 @@ osg::ref_ptr<osg::Node> makeRay() {
   const osg::ref_ptr<osg::Geometry> line =
       makeLines({Vector3::Zero(), -Vector3::UnitZ()}, LineKind::Strip, kOpen, kRayWidth);
   makeUnlit(*line);
-  line->getOrCreateStateSet()->setRenderBinDetails(PanelModel::kBin + 1, "RenderBin");  // after the panel
   return line;
 }
 
@@ -77,6 +76,9 @@ HandModels::Model HandModels::makeModel() {
   model.hit->addChild(makeHit());
   // Normals need normalizing, because the models are scaled with the room.
   for (osg::Node* part : {model.grip.get(), model.hit.get()}) part->getOrCreateStateSet()->setMode(GL_NORMALIZE, 1);
+  for (osg::Node* part : {model.grip.get(), model.ray.get(), model.hit.get()}) {
+    part->getOrCreateStateSet()->setRenderBinDetails(PanelModel::kBin + 1, "RenderBin");  // after the panel
+  }
   return model;
 }
 

@@ -33,10 +33,11 @@ osg::ref_ptr<osg::Geometry> makeSheet(osg::Texture2D* texture, PanelModel::Kind 
   state->setTextureAttributeAndModes(0, texture);
   state->setAttributeAndModes(new osg::CullFace(osg::CullFace::BACK));
   makeUnlit(*sheet);
-  state->setRenderBinDetails(PanelModel::kBin, "RenderBin");
-  if (kind == PanelModel::Kind::Panel) return sheet;
-  state->setRenderBinDetails(PanelModel::kBin - 1, "RenderBin");
-  state->setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0.0, 1.0, false));
+  const bool isPanel = kind == PanelModel::Kind::Panel;
+  state->setRenderBinDetails(isPanel ? PanelModel::kBin : PanelModel::kBin - 1, "RenderBin");
+  // Nothing hides a panel but what is drawn after it: the hands, which are before or behind it.
+  state->setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0.0, 1.0, isPanel));
+  if (isPanel) return sheet;
   state->setAttributeAndModes(new osg::BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA));
   return sheet;
 }

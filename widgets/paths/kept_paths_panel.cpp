@@ -71,7 +71,7 @@ void fillRow(QTreeWidgetItem& item, const KeptPathRow& row) {
   item.setText(Clearance, path.clearance < 0.0 ? QStringLiteral("–") : columnLengthText(path.clearance));
   item.setToolTip(Clearance, KeptPathsPanel::tr("certified %1, required %2")
                                  .arg(lengthText(path.provedClearance), lengthText(path.requiredClearance)));
-  item.setText(Length, columnLengthText(way.length()));
+  item.setText(Length, lengthText(way.length()));
   item.setText(Turns, QLocale().toString(way.rotation() * 180.0 / std::numbers::pi, 'f', 0) + QStringLiteral("°"));
   item.setText(Strategy, strategyName(path.provenance.planner));
   if (!path.provenance.planner.empty()) item.setText(Seed, QString::number(path.provenance.seed));

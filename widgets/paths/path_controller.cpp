@@ -285,7 +285,7 @@ void PathController::chooseExport() {
   } else if (!saved.warnings.empty()) {
     bench_.messages.showError(tr("The path was saved, with a warning"), saved.warnings.front());
   } else {
-    bench_.messages.showStatus(tr("The path was saved as %1").arg(file));
+    bench_.messages.showSaved(tr("The path was saved as %1").arg(file), file);
   }
 }
 
@@ -307,7 +307,7 @@ void PathController::chooseReport() {
   if (file.isEmpty()) return;
   reportTo(file, [this, file](const SaveResult& saved) {
     if (!saved) return showError(saved.why);
-    bench_.messages.showStatus(tr("The report was saved as %1").arg(file));
+    bench_.messages.showSaved(tr("The report was saved as %1").arg(file), file);
   });
 }
 
@@ -324,7 +324,7 @@ void PathController::chooseFilm() {
   const QString file = chooseFilmFile(bench_, tr("Film the path"), QStringLiteral("path"));
   if (file.isEmpty()) return;
   filmTo(file, [this, file](const SaveResult& saved) {
-    if (saved) return bench_.messages.showStatus(tr("The film was saved as %1").arg(file));
+    if (saved) return bench_.messages.showSaved(tr("The film was saved as %1").arg(file), file);
     if (saved.why.kind != ErrorKind::Interrupted) return showError(saved.why);
     bench_.messages.showStatus(tr("The film was cancelled"));
   });

@@ -123,7 +123,7 @@ Outcome SweepController::exportTo(const QString& file) {
       saveSweptVolume(*shown_.sweep, "Swept volume of " + object.name, object.colour, file.toStdString(), warnings);
   if (!saved) return saved;
   if (warnings.empty()) {
-    bench_.messages.showStatus(tr("The swept volume was saved as %1").arg(file));
+    bench_.messages.showSaved(tr("The swept volume was saved as %1").arg(file), file);
   } else {
     bench_.messages.showError(tr("The swept volume was saved, with a warning"), warnings.front());
   }

@@ -26,7 +26,7 @@ namespace {
 /// A spin box (`Box`: QSpinBox or QDoubleSpinBox) whose minimum lies one step below its least value and is shown as its
 /// special text: neither steps nor typing reach it.
 template <class Box, class Number>
-class RangeBox final : public Box {
+class RangeBox : public Box {
  public:
   RangeBox(Number least, QWidget* parent) : Box(parent), least_(least) {}
 
@@ -53,6 +53,20 @@ class RangeBox final : public Box {
 
  private:
   Number least_;
+};
+
+/// Shows numbers without zeros at their ends.
+class ShortNumberBox final : public RangeBox<QDoubleSpinBox, double> {
+ public:
+  using RangeBox::RangeBox;
+
+  QString textFromValue(double value) const override {
+    QString text = RangeBox::textFromValue(value);
+    if (!text.contains(locale().decimalPoint())) return text;
+    while (text.endsWith(locale().zeroDigit())) text.chop(1);
+    if (text.endsWith(locale().decimalPoint())) text.chop(1);
+    return text;
+  }
 };
 
 constexpr double kFinestLength = 1e-5;  ///< metres
@@ -135,37 +149,42 @@ QWidget* AttributeEditor::makeSpinBox(const AttributeDefinition& definition) {
   const int most = static_cast<int>(std::min(definition.maximum, 1e9));
   auto* box = new RangeBox<QSpinBox, int>(least, this);
   box->setRange(least - 1, most);
-  return connected(box, definition.unit);
+  return connected(box, definition, definition.unit);
 }
 
 QWidget* AttributeEditor::makeNumberBox(const AttributeDefinition& definition) {
   const bool isLength = definition.unit == "m";
   const LengthField field = lengthField(kFinestLength);
   const double scale = isLength ? field.perMetre : 1.0;
-  const int decimals = isLength ? field.decimals : 4;
+  constexpr int kDecimals = 6;
+  const int decimals = isLength ? field.decimals : kDecimals;
   const double least = scale * definition.minimum;
   const double most = scale * definition.maximum;
   const double finest = std::pow(10.0, -decimals);
-  auto* box = new RangeBox<QDoubleSpinBox, double>(least, this);
+  auto* box = isLength ? new RangeBox<QDoubleSpinBox, double>(least, this) : new ShortNumberBox(least, this);
   box->setDecimals(decimals);
   box->setRange(least - finest, most);
   box->setSingleStep(std::clamp((most - least) / 20.0, finest, scale * 0.1));
-  return connected(box, isLength ? field.unit.toStdString() : definition.unit, scale);
+  return connected(box, definition, isLength ? field.unit.toStdString() : definition.unit, scale);
 }
 
-/// The value below the range stands for different values; the box shows `scale` times the value.
+/// The value below the range stands for different values, or for an unknown one; the box shows `scale` times the value.
 template <typename Box>
-QWidget* AttributeEditor::connected(Box* box, const std::string& unit, double scale) {
+QWidget* AttributeEditor::connected(Box* box, const AttributeDefinition& definition, const std::string& unit,
+                                    double scale) {
   using Number = decltype(box->value());
-  box->setSpecialValueText(kDiffers);
   box->setSuffix(unit.empty() ? QString() : QStringLiteral(" ") + QString::fromStdString(unit));
   connect(box, QOverload<Number>::of(&Box::valueChanged), this, [this, box, scale](Number value) {
     if (box->isInRange()) emit edited(AttributeValue(static_cast<double>(value) / scale));
   });
   connect(box, &Box::editingFinished, this, &AttributeEditor::finished);
-  show_ = [box, scale](const std::optional<AttributeValue>& value) {
+  // A mass of 0 is not known.
+  const QString zero = definition.name == "mass" ? tr("by volume") : QString();
+  show_ = [box, scale, zero](const std::optional<AttributeValue>& value) {
     const QSignalBlocker block(box);
-    const double number = value ? scale * numberOf(*value) : box->minimum();
+    const bool isSpecial = !value || (!zero.isEmpty() && numberOf(*value) == 0.0);
+    box->setSpecialValueText(value ? zero : kDiffers);
+    const double number = isSpecial ? box->minimum() : scale * numberOf(*value);
     box->setValue(std::is_integral_v<Number> ? static_cast<Number>(std::lround(number)) : static_cast<Number>(number));
   };
   return box;

@@ -36,7 +36,7 @@ class AttributeEditor final : public QWidget {
   QWidget* makeSpinBox(const AttributeDefinition& definition);
   QWidget* makeNumberBox(const AttributeDefinition& definition);
   template <typename Box>
-  QWidget* connected(Box* box, const std::string& unit, double scale = 1.0);
+  QWidget* connected(Box* box, const AttributeDefinition& definition, const std::string& unit, double scale = 1.0);
   QWidget* makeComboBox(const AttributeDefinition& definition);
   QWidget* makeLine();
 

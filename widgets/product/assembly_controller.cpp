@@ -171,6 +171,9 @@ AssemblyController::AssemblyController(const Workbench& bench, PartImport& parts
       return renameBody(id, name, scenario);
     });
   });
+  connect(scenePanel_, &ScenePanel::lengthUnitChanged, this, [this] {
+    if (document_.scenario()) followDocument(Change::Arrangement);
+  });
   connect(scenePanel_, &ScenePanel::endChosen, this, [this](AssemblyItem::Kind end) { choose(AssemblyItem{end, {}}); });
   connect(placement_, &PlacementPanel::placed, this, [this](const Pose& X_WB) {
     const QString key = QStringLiteral("place %1 %2").arg(static_cast<int>(chosen_->kind));

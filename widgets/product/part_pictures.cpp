@@ -1,7 +1,5 @@
 #include "widgets/product/part_pictures.h"
 
-#include <QImage>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -90,8 +88,8 @@ class Raster {
   std::vector<double> shade_;  ///< below 0: background
 };
 
-/// A small picture of a body in its pose in the product, from a corner above, on a transparent background. The
-/// processor draws it without OpenGL, so that any thread can call this. `pixels`: width and height.
+}  // namespace
+
 QImage partPicture(const RigidBody& body, int pixels) {
   QImage picture(pixels, pixels, QImage::Format_ARGB32);
   picture.fill(Qt::transparent);
@@ -129,7 +127,12 @@ QImage partPicture(const RigidBody& body, int pixels) {
   return picture;
 }
 
-}  // namespace
+QIcon iconOf(const QImage& picture) {
+  const QPixmap pixmap = QPixmap::fromImage(picture);
+  QIcon icon(pixmap);
+  icon.addPixmap(pixmap, QIcon::Selected);
+  return icon;
+}
 
 PartPictures::Key PartPictures::keyOf(const RigidBody& body) {
   const auto& q = body.X_WB.orientation;
@@ -165,12 +168,7 @@ void PartPictures::draw(const ProductPtr& product, int pixels, bool atOnce) {
           pictures->emplace(key, partPicture(body, pixels));
         }
         return [this, pictures] {
-          for (const auto& [key, picture] : *pictures) {
-            const QPixmap pixmap = QPixmap::fromImage(picture);
-            QIcon icon(pixmap);
-            icon.addPixmap(pixmap, QIcon::Selected);  // not tinted if the row is selected
-            icons_[key] = icon;
-          }
+          for (const auto& [key, picture] : *pictures) icons_[key] = iconOf(picture);
           emit drawn();
         };
       },

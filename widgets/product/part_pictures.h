@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QIcon>
+#include <QImage>
 #include <QObject>
 
 #include <array>
@@ -10,6 +11,13 @@
 #include "widgets/document/sequence_planner.h"
 
 namespace glissade {
+
+/// A small picture of a body in its pose in the product, from a corner above, on a transparent background. The
+/// processor draws it without OpenGL, so that any thread can call this. `pixels`: width and height.
+QImage partPicture(const RigidBody& body, int pixels);
+
+/// The icon of a picture, which is not tinted if its row is selected.
+QIcon iconOf(const QImage& picture);
 
 /// Pictures of the bodies of a product, drawn on a worker and cached. Bodies with the same mesh, orientation and colour
 /// share one.

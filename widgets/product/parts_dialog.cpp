@@ -5,22 +5,24 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHeaderView>
-#include <QLocale>
 #include <QScrollBar>
 #include <QShortcut>
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 #include <initializer_list>
 #include <memory>
 #include <utility>
 
+#include "engine/import/geometry_loader.h"
 #include "engine/import/mesh_import.h"
 #include "engine/import/step_import.h"
+#include "widgets/controls/cell_delegates.h"
 #include "widgets/controls/diagnostic_text.h"
 #include "widgets/controls/flow_layout.h"
+#include "widgets/controls/length_text.h"
 #include "widgets/product/part_boxes.h"
+#include "widgets/product/part_pictures.h"
 
 namespace glissade {
 namespace {
@@ -30,6 +32,7 @@ constexpr double kSmaller = 1.0 - 1e-6;
 
 constexpr int kWidth = 760;
 constexpr int kHeight = 400;
+constexpr int kPicturePixels = 28;
 
 /// Rows that get their boxes even if fewer are in sight, for example before the table is shown.
 constexpr int kFirstRows = 16;
@@ -38,17 +41,9 @@ constexpr int kMeasuredRows = 50;
 /// Files that are read together; the list shows progress after each group.
 constexpr std::size_t kFilesAtOnce = 128;
 
-/// The sizes with three digits of the largest edge, in the unit that suits it.
 QString sizeText(const Box3& box) {
   const Vector3 size = box.sizes();
-  const bool metres = size.maxCoeff() >= 1.0;
-  const Vector3 shown = metres ? size : Vector3(1e3 * size);
-  const double digits = 2.0 - std::floor(std::log10(std::max(1.001 * shown.maxCoeff(), 1e-6)));
-  const auto text = [decimals = static_cast<int>(std::clamp(digits, 0.0, 6.0))](double edge) {
-    return QLocale().toString(edge, 'f', decimals);
-  };
-  return QStringLiteral("%1 × %2 × %3 %4")
-      .arg(text(shown.x()), text(shown.y()), text(shown.z()), metres ? QStringLiteral("m") : QStringLiteral("mm"));
+  return lengthsText({size.x(), size.y(), size.z()}, QStringLiteral(" × "));
 }
 
 /// The reason without the file's folder, which the row's tooltip states.
@@ -98,7 +93,7 @@ PartsDialog::PartsDialog(Purpose purpose, const QStringList& files, bool atOnce,
   resize(kWidth, kHeight);
   connect(table_->verticalScrollBar(), &QScrollBar::valueChanged, this, &PartsDialog::makeBoxesInSight);
   connect(&measuring_, &BackgroundTask::failed, this, [this](const Diagnostic& why) {
-    for (const std::string& path : measuredPaths_) setMeasured(path, why);
+    for (const std::string& path : measuredPaths_) setMeasured(path, {why});
     fillTable();
     refresh();
     measureNext();
@@ -120,9 +115,11 @@ void PartsDialog::setUpTable() {
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setTextElideMode(Qt::ElideMiddle);
+  table_->setItemDelegateForColumn(kPart, new NameDelegate(kPart, table_));
   table_->setTabKeyNavigation(false);
   table_->setAlternatingRowColors(true);
   table_->setShowGrid(false);
+  table_->setIconSize({kPicturePixels, kPicturePixels});
 }
 
 void PartsDialog::resizeEvent(QResizeEvent* event) {
@@ -352,6 +349,20 @@ std::vector<std::string> PartsDialog::filesToMeasure() const {
   return paths;
 }
 
+PartsDialog::Measured PartsDialog::measured(const std::string& path, bool apart, GeometryCache& read,
+                                            const WorkWatch& watch) {
+  Measured measured{partsInFile(path, read, watch.stop, apart)};
+  if (!measured.parts) return measured;
+  const UpAxis up = usualPart(path).up;
+  for (const MeasuredPart& part : *measured.parts) {
+    RigidBody body;
+    body.mesh = part.solid.mesh == nullptr ? std::make_shared<const TriangleMesh>() : part.solid.mesh;
+    body.X_WB = uprightPose(up) * part.solid.X_FP;
+    measured.pictures.push_back(watch.stop.stopRequested() ? QImage() : partPicture(body, kPicturePixels));
+  }
+  return measured;
+}
+
 void PartsDialog::measureNext() {
   measuredPaths_ = filesToMeasure();
   if (measuredPaths_.empty()) return;
@@ -361,7 +372,7 @@ void PartsDialog::measureNext() {
     readSmallFiles(paths, read, watch.stop);
     const auto measured = std::make_shared<std::vector<Measured>>();
     for (const std::string& path : paths) {
-      measured->push_back(partsInFile(path, read, watch.stop, apart));
+      measured->push_back(PartsDialog::measured(path, apart, read, watch));
     }
     return [this, paths, measured, read] {
       read_.insert(read.begin(), read.end());
@@ -378,22 +389,25 @@ void PartsDialog::measureNext() {
 void PartsDialog::setMeasured(const std::string& path, const Measured& measured) {
   const int row = rowOf(path);
   if (row < 0) return;
-  if (!measured) {
-    rows_[row].inFile = measured.error();
+  if (!measured.parts) {
+    rows_[row].inFile = measured.parts.error();
     return;
   }
-  if (measured->size() == 1) {
-    rows_[row].inFile = measured->front().inFile;
+  if (measured.parts->size() == 1) {
+    rows_[row].inFile = measured.parts->front().inFile;
+    rows_[row].picture = iconOf(measured.pictures.front());
     return;
   }
   table_->setRowCount(row);
   const Row whole = rows_[row];
   rows_.erase(rows_.begin() + row);
   std::vector<Row> parts;
-  for (const MeasuredPart& part : *measured) {
+  for (std::size_t i = 0; i < measured.parts->size(); ++i) {
+    const MeasuredPart& part = (*measured.parts)[i];
     parts.push_back(whole);
     parts.back().part.part = part.part;
     parts.back().inFile = part.inFile;
+    parts.back().picture = iconOf(measured.pictures[i]);
   }
   rows_.insert(rows_.begin() + row, parts.begin(), parts.end());
 }
@@ -451,6 +465,8 @@ void PartsDialog::showRow(int row) {
   const PartFile& part = rows_[row].part;
   QTableWidgetItem& item = *table_->item(row, kPart);
   if (const QString name = nameOf(part); item.text() != name) item.setText(name);
+  const QIcon& picture = rows_[row].picture;
+  if (item.icon().cacheKey() != picture.cacheKey()) item.setIcon(picture);
   const auto show = [this, row](Column column, const QVariant& value) {
     if (table_->cellWidget(row, column) == nullptr) return;
     auto* combo = table_->cellWidget(row, column)->findChild<QComboBox*>();

@@ -63,6 +63,7 @@ class PartsDialog final : public QDialog {
     PartFile part;
     std::optional<Result<Box3>> inFile;  ///< nothing: not measured yet
     bool unitChosen = false;             ///< a person has chosen the unit
+    QIcon picture{};
   };
 
   void setUpTable();
@@ -84,7 +85,11 @@ class PartsDialog final : public QDialog {
   int rowOf(const QObject* combo, Column column) const;
   int rowOf(const std::string& path) const;
 
-  using Measured = Result<std::vector<MeasuredPart>>;
+  struct Measured {
+    Result<std::vector<MeasuredPart>> parts;
+    std::vector<QImage> pictures{};  ///< one for each part
+  };
+  static Measured measured(const std::string& path, bool apart, GeometryCache& read, const WorkWatch& watch);
   void measureNext();
   std::vector<std::string> filesToMeasure() const;
   void setMeasured(const std::string& path, const Measured& measured);

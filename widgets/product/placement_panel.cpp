@@ -76,12 +76,11 @@ QComboBox* PlacementPanel::makePoints() {
 
 void PlacementPanel::addPickAction(QAction* action) {
   action->setIconText(tr("Pick"));  // the menu shows the whole text
-  pick_ = new QToolButton(this);
-  pick_->setObjectName(QStringLiteral("place-pick"));
-  pick_->setDefaultAction(action);
-  pick_->setToolButtonStyle(Qt::ToolButtonTextOnly);
-  pick_->setVisible(!about_->isHidden());
-  static_cast<QGridLayout*>(layout())->addWidget(pick_, 3, 4, 1, 2);
+  auto* pick = new QToolButton(this);
+  pick->setObjectName(QStringLiteral("place-pick"));
+  pick->setDefaultAction(action);
+  pick->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  static_cast<QGridLayout*>(layout())->addWidget(pick, 3, 4, 1, 2);
 }
 
 /// Offers the picked frame as the last choice, if there is one.
@@ -162,8 +161,7 @@ void PlacementPanel::show(const QString& name, const std::optional<Pose>& X_WB, 
   isPlaced_ = X_WB.has_value();
   placedName_ = name;
   showTitle();
-  about_->setVisible(X_WB.has_value());
-  if (pick_ != nullptr) pick_->setVisible(X_WB.has_value());
+  about_->setEnabled(X_WB.has_value());
   for (int axis = 0; axis < 3; ++axis) {
     position_[axis]->setEnabled(X_WB.has_value());
     turn_[axis]->setEnabled(X_WB.has_value());

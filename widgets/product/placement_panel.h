@@ -59,7 +59,6 @@ class PlacementPanel final : public QWidget {
 
   QLabel* name_;
   QComboBox* about_ = nullptr;
-  QToolButton* pick_ = nullptr;
   QuantityBox* position_[3] = {};
   QuantityBox* turn_[3] = {};
   QLabel* refused_;

@@ -6,6 +6,7 @@
 
 #include "engine/files/scenario_bodies.h"
 #include "engine/files/scenario_product.h"
+#include "widgets/controls/cell_delegates.h"
 #include "widgets/controls/colour_swatch.h"
 #include "widgets/controls/length_text.h"
 
@@ -21,10 +22,8 @@ constexpr int kNameRole = Qt::UserRole + 4;     // name of a body, as it is show
 QIcon swatch(const Colour& colour) { return colourSwatch(QColor::fromRgbF(colour[0], colour[1], colour[2])); }
 
 QString place(const Pose& pose) {
-  const QLocale locale;
-  QStringList numbers;
-  for (int i = 0; i < 3; ++i) numbers << locale.toString(pose.position[i], 'f', 2);
-  return numbers.join(QStringLiteral("  ")) + QStringLiteral(" m");
+  const Vector3& at = pose.position;
+  return lengthsText({at.x(), at.y(), at.z()}, QStringLiteral("  "));
 }
 
 bool isObstacle(const QTreeWidgetItem* item) { return item->data(0, kObstacleRole).toBool(); }
@@ -64,6 +63,7 @@ ScenePanel::ScenePanel(QWidget* parent) : QTreeWidget(parent) {
   setUniformRowHeights(true);
   setAlternatingRowColors(true);
   setTextElideMode(Qt::ElideMiddle);
+  setItemDelegateForColumn(0, new NameDelegate(0, this));
   setSelectionMode(QAbstractItemView::ExtendedSelection);
   header()->setStretchLastSection(false);
   header()->setSectionResizeMode(0, QHeaderView::Stretch);
@@ -223,6 +223,11 @@ std::vector<QTreeWidgetItem*> ScenePanel::obstacleItems() const {
     if (isObstacle(*item)) items.push_back(*item);
   }
   return items;
+}
+
+void ScenePanel::changeEvent(QEvent* event) {
+  QTreeWidget::changeEvent(event);
+  if (event->type() == QEvent::LocaleChange) emit lengthUnitChanged();
 }
 
 void ScenePanel::setFilter(const QString& text) {

@@ -42,10 +42,12 @@ class ScenePanel final : public QTreeWidget {
   /// The user has selected these rigid bodies, which may be the object's.
   void bodiesChosen(const QSet<QString>& bodyIds);
   void endChosen(glissade::AssemblyItem::Kind end);
+  void lengthUnitChanged();
 
  protected:
   /// A narrow list leaves the numbers of triangles out, so that the names can be read.
   void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   QTreeWidgetItem* addGroup(const QString& title);

@@ -54,6 +54,7 @@ void RecordingController::chooseSaveFile() {
   if (file.isEmpty()) return;
   const SaveResult saved = replay_.save(file);
   showOutcome(saved);
+  if (saved) bench_.messages.showStatus(tr("The recording was saved as %1").arg(file));
   if (saved && !bench_.document.isProblemSaved()) {
     QMessageBox::information(&bench_.window, tr("The recording was saved"),
                              tr("It names the scenario's file, which does not have the bodies as they are here. Save "

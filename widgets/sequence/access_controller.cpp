@@ -191,9 +191,18 @@ void AccessController::updateHand() {
     }
   }
   const bool isDrawn = !picture.parts.empty();
-  if (!std::exchange(isDrawn_, isDrawn) && !isDrawn) return;
+  const bool wasDrawn = std::exchange(isDrawn_, isDrawn);
+  if (!wasDrawn && !isDrawn) return;
+  if (!wasDrawn) fitWithHand(picture);
   bench_.scene.view().setReach(std::move(picture));
   bench_.scene.refresh();
+}
+
+/// Fits the view to the product and the hand, which may be larger. The forearm need not be in view.
+void AccessController::fitWithHand(const ReachPicture& picture) {
+  SceneView& view = bench_.scene.view();
+  const ReachPicture::Part& hand = picture.parts.front();
+  view.camera().zoomTo(view.extent().merged(boundingBox(*hand.mesh, hand.X_WM)));
 }
 
 void AccessController::enableActions() {

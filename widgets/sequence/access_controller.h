@@ -37,6 +37,7 @@ class AccessController final : public QObject {
   void showNextUnreached();
   /// Draws the hand at the moving bodies.
   void updateHand();
+  void fitWithHand(const ReachPicture& picture);
   ReachPicture pictureOfStep() const;
   ReachPicture pictureOnPath() const;
   void enableActions();

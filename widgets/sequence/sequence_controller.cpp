@@ -368,10 +368,26 @@ std::optional<Diagnostic> SequenceController::open(const QString& file) {
 }
 
 void SequenceController::showPanelsScene() {
-  SequencePicture picture = pictureAt(panel_->time(), panel_->exploded());
+  const double exploded = panel_->exploded();
+  SequencePicture picture = pictureAt(panel_->time(), exploded);
   picture.forbidden = edits_->forbiddenCones(picture.bodies);
   bench_.scene.view().setSequence(picture);
+  if (std::exchange(isExploded_, exploded > 0.0) != isExploded_) fitExploded();
   bench_.scene.refresh();
+}
+
+/// Fits the view to the whole exploded view when it begins, and to the product when it has ended.
+void SequenceController::fitExploded() {
+  SceneView& view = bench_.scene.view();
+  if (!isExploded_ || !exploded_) return view.fit();
+  const LoadedScenario& scenario = *bench_.document.scenario();
+  const std::vector<Pose> apart = exploded_->at(1.0);
+  Box3 box;
+  for (std::size_t i = 0; i < apart.size(); ++i) {
+    const RigidBody& body = rigidBodyAt(i, scenario);
+    box.extend(boundingBox(*body.mesh, apart[i] * body.X_WB));
+  }
+  view.camera().zoomTo(box);
 }
 
 SequencePicture SequenceController::pictureAt(double time, double exploded) {
@@ -462,7 +478,7 @@ void SequenceController::tell(const QString& file, const SaveResult& saved) {
   } else {
     QStringList text{tr("%1 was saved").arg(file)};
     for (const Diagnostic& warning : saved.warnings) text << diagnosticText(warning);
-    bench_.messages.showStatus(text.join(QStringLiteral(". ")));
+    bench_.messages.showSaved(text.join(QStringLiteral(". ")), file);
   }
 }
 

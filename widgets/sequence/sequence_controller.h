@@ -98,6 +98,7 @@ class SequenceController final : public QObject {
   void chooseExport();
   void chooseFilm();
   /// The scene at a time of the removal in steps. `exploded`: share by which parts are moved apart.
+  void fitExploded();
   SequencePicture pictureAt(double time, double exploded);
   void film(const QString& file, const FilmJob::Finished& finished);
   void enableActions();
@@ -108,6 +109,7 @@ class SequenceController final : public QObject {
   WorkTimesStore workTimes_;
   std::size_t knownSteps_ = 0;  ///< steps of the plan that was resumed
   PlanPlayback playback_;
+  bool isExploded_ = false;               ///< the exploded view is shown
   std::optional<ExplodedView> exploded_;  ///< of the shown plan, after it was exploded first
   PlanGraphView* graph_ = nullptr;
   InstructionController* instructions_;

@@ -17,10 +17,10 @@
 #include "engine/documents/plan_tasks.h"
 #include "engine/sequence/demand_edits.h"
 #include "engine/sequence/plan_bodies.h"
+#include "widgets/controls/cell_delegates.h"
 #include "widgets/controls/diagnostic_text.h"
 #include "widgets/controls/length_text.h"
 #include "widgets/controls/quiet_focus.h"
-#include "widgets/controls/window_language.h"
 #include "widgets/sequence/access_texts.h"
 
 namespace glissade {
@@ -74,35 +74,6 @@ QString checkTip(StepCheck check) {
   return StepTable::tr("not valid in this arrangement");
 }
 
-/// Shows whole words of lines that are too long, because a number that is cut reads as another number.
-class WholeWordsDelegate final : public QStyledItemDelegate {
- public:
-  using QStyledItemDelegate::QStyledItemDelegate;
-
- protected:
-  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
-    constexpr int kCellMargin = 8;
-    QStyledItemDelegate::initStyleOption(option, index);
-    const int picture = option->icon.isNull() ? 0 : option->decorationSize.width() + kCellMargin;
-    const int width = option->rect.width() - picture - kCellMargin;
-    QStringList lines = option->text.split(QChar::LineSeparator);
-    for (QString& line : lines) line = wholeWords(line, option->fontMetrics, width);
-    option->text = lines.join(QChar::LineSeparator);
-  }
-
- private:
-  static QString wholeWords(const QString& line, const QFontMetrics& metrics, int width) {
-    QString shown = line;
-    for (QString rest = line; metrics.horizontalAdvance(shown) > width;) {
-      const int end = rest.lastIndexOf(QLatin1Char(' '));
-      if (end < 0) return line;  // the table cuts a single word
-      rest.truncate(end);
-      shown = rest + QStringLiteral(" …");
-    }
-    return shown;
-  }
-};
-
 /// Shows rows of stuck parts, whose texts have as many lines as they need.
 class WrappedDelegate final : public QStyledItemDelegate {
  public:
@@ -142,7 +113,8 @@ QString markOf(const StepDemands& demands, const AssemblyStep& step) {
 }  // namespace
 
 PlanWords windowPlanWords() {
-  return PlanWords(windowLanguage(), [](double metres) { return lengthText(metres).toStdString(); });
+  const MessageStyle style = windowStyle();
+  return {style.language, style.length};
 }
 
 StepTable::StepTable(IconOf iconOf, QWidget* parent) : QTreeWidget(parent), iconOf_(std::move(iconOf)) {
@@ -162,7 +134,10 @@ StepTable::StepTable(IconOf iconOf, QWidget* parent) : QTreeWidget(parent), icon
   setIconSize({kPictureSize, kPictureSize});
   setTextElideMode(Qt::ElideMiddle);
   setItemDelegateForColumn(StepNumber, new WrappedDelegate(this));
-  for (const int column : {StepPart, StepTools}) setItemDelegateForColumn(column, new WholeWordsDelegate(this));
+  setItemDelegateForColumn(StepPart, new NameDelegate(StepPart, this));
+  for (const int column : {StepGaps, StepTools, StepState}) {
+    setItemDelegateForColumn(column, new WholeWordsDelegate(this));
+  }
   setAccessibleName(tr("Steps of the sequence"));
   header()->setSectionResizeMode(QHeaderView::Interactive);
   header()->setMinimumSectionSize(20);

@@ -172,7 +172,7 @@ std::optional<Diagnostic> TimesController::openTable(const QString& file) {
 std::optional<Diagnostic> TimesController::saveTable(const QString& file) {
   const Outcome saved = saveWorkTimes(table().times(), file.toStdString());
   if (!saved) return saved.error();
-  bench_.messages.showStatus(tr("The table of times was saved as %1").arg(file));
+  bench_.messages.showSaved(tr("The table of times was saved as %1").arg(file), file);
   return std::nullopt;
 }
 

@@ -107,7 +107,7 @@ void StudyController::writeInBackground(const QString& folder, const QString& pd
 void StudyController::showPage(const QString& folder, const QString& page) {
   folder_ = folder;
   bench_.enable("study.report-pdf", true);
-  bench_.messages.showStatus(tr("The page is %1").arg(page));
+  bench_.messages.showSaved(tr("The page is %1").arg(page), page);
   if (!bench_.work.isAtOnce()) QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(page).absoluteFilePath()));
 }
 
@@ -161,6 +161,7 @@ std::optional<Diagnostic> StudyController::startRun(const StudyFolder& folder, c
     const Outcome set = parameters.set(id, value);
     if (!set) return set.error();
   }
+  bench_.bringToFront(Workspace::Study, "panel.run");
   bench_.session.startFixed({parameters, cell.strategy, run.seed, cell.operatorName});
   return std::nullopt;
 }

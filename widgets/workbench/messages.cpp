@@ -46,4 +46,11 @@ void Messages::showStatus(const QString& text) {
   window_.statusBar()->showMessage(text, kStatusMilliseconds);
 }
 
+void Messages::showSaved(const QString& text, const QString& file) {
+  showStatus(text);
+  if (quiet_) return;
+  if (openSaved_ == nullptr) openSaved_ = new OpenSavedButton(*window_.statusBar());
+  openSaved_->offer(file);
+}
+
 }  // namespace glissade

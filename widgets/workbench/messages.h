@@ -1,9 +1,11 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QPointer>
 
 #include "engine/base/diagnostic.h"
 #include "widgets/controls/message_log.h"
+#include "widgets/workbench/open_saved_button.h"
 
 namespace glissade {
 
@@ -21,10 +23,13 @@ class Messages final {
   /// error, and nothing changes.
   bool isNewDemandPreferred(const QString& title, const Diagnostic& conflict);
   void showStatus(const QString& text);
+  /// Shows that a document was saved, with a button that opens it.
+  void showSaved(const QString& text, const QString& file);
   MessageLog& log() { return log_; }
 
  private:
   QMainWindow& window_;
+  QPointer<OpenSavedButton> openSaved_;  ///< of the status bar; null until a document is saved
   MessageLog log_;
   bool quiet_ = false;
 };

@@ -2,6 +2,8 @@
 
 #include <QString>
 
+#include <optional>
+
 #include "widgets/controls/length_text.h"
 #include "widgets/scene3d/scene_view.h"
 
@@ -14,8 +16,8 @@ enum class ThemeChoice { Desktop, Light, Dark };
 struct Preferences {
   QString language;         ///< "en", "fr"; empty: the desktop's
   double fontPoints = 9.0;  ///< size of all texts of the window; small enough for three docks at 1280 x 720
-  LengthUnit lengthUnit = LengthUnit::Fitting;  ///< Fitting: the unit of the product's file
-  int autosaveSeconds = 3;                      ///< seconds between two writings of unsaved edits
+  std::optional<LengthUnit> lengthUnit{};  ///< none: the unit that suits the product
+  int autosaveSeconds = 3;                 ///< seconds between two writings of unsaved edits
   SceneColours colours = {};
   ThemeChoice theme = ThemeChoice::Desktop;
 };

@@ -11,10 +11,9 @@ constexpr double kEndOfRay = 1e9;
 
 }  // namespace
 
-SceneTarget targetAt(const Workbench& bench, const QPointF& position) {
+SceneTarget targetAlong(const Workbench& bench, const Ray& ray) {
   const LoadedScenario& scenario = *bench.document.scenario();
   const SceneView& view = bench.scene.view();
-  const Ray ray = rayThrough(bench.scene, position);
   const std::vector<RigidBody> bodies = view.drawnObstacles();
   const auto body = pickBody(bodies, ray, {}, view.sections());
   const double farthest = body ? body->distance : kEndOfRay;
@@ -34,6 +33,10 @@ SceneTarget targetAt(const Workbench& bench, const QPointF& position) {
     target.body = QString::fromStdString(bodies[body->body].id);
   }
   return target;
+}
+
+SceneTarget targetAt(const Workbench& bench, const QPointF& position) {
+  return targetAlong(bench, rayThrough(bench.scene, position));
 }
 
 }  // namespace glissade

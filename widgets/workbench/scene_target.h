@@ -9,14 +9,15 @@
 
 namespace glissade {
 
-/// The item at a point of the scene widget.
+/// The item that a ray, or the ray through a point of the scene widget, meets first.
 struct SceneTarget {
   int place = kNoPlace;         ///< the place, if places are shown
   std::optional<QString> body;  ///< id of the obstacle, if places are not shown
   bool isObject = false;        ///< the object is in front of obstacles at this point
 };
 
-/// Precondition: a scenario is open.
+/// Preconditions of both functions: a scenario is open.
+SceneTarget targetAlong(const Workbench& bench, const Ray& ray);
 SceneTarget targetAt(const Workbench& bench, const QPointF& position);
 
 }  // namespace glissade

@@ -32,7 +32,7 @@ const QLatin1String kStereo("stereo/");
 const QLatin1String kChoices("choices/");
 const QLatin1String kShortcuts("shortcuts/");
 
-constexpr EnumNames<LengthUnit, 4> kUnitNames{{"fitting", "mm", "in", "m"}};
+constexpr EnumNames<LengthUnit, 3> kUnitNames{{"mm", "in", "m"}};
 constexpr EnumNames<ThemeChoice, 3> kThemeNames{{"desktop", "light", "dark"}};
 
 /// Visits each colour with its key in the settings.
@@ -215,8 +215,7 @@ Preferences WindowMemory::preferences() const {
   preferences.language = settings_.value(kLanguage).toString();
   const double points = settings_.value(kFontPoints, preferences.fontPoints).toDouble();
   if (points >= kLeastFontPoints && points <= kMostFontPoints) preferences.fontPoints = points;
-  preferences.lengthUnit =
-      kUnitNames.find(settings_.value(kLengthUnit).toString().toStdString()).value_or(LengthUnit::Fitting);
+  preferences.lengthUnit = kUnitNames.find(settings_.value(kLengthUnit).toString().toStdString());
   const int seconds = settings_.value(kAutosave, preferences.autosaveSeconds).toInt();
   if (seconds >= kLeastAutosaveSeconds && seconds <= kMostAutosaveSeconds) preferences.autosaveSeconds = seconds;
   preferences.theme = theme();
@@ -230,7 +229,7 @@ Preferences WindowMemory::preferences() const {
 void WindowMemory::savePreferences(const Preferences& preferences) {
   settings_.setValue(kLanguage, preferences.language);
   settings_.setValue(kFontPoints, preferences.fontPoints);
-  settings_.setValue(kLengthUnit, QLatin1String(kUnitNames.of(preferences.lengthUnit)));
+  settings_.setValue(kLengthUnit, preferences.lengthUnit ? kUnitNames.of(*preferences.lengthUnit) : "fitting");
   settings_.setValue(kAutosave, preferences.autosaveSeconds);
   settings_.setValue(kTheme, QLatin1String(kThemeNames.of(preferences.theme)));
   forEachColour(preferences.colours, [this](const char* name, const std::optional<Colour>& colour) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/engine/fits/turned_parts.h"
 #include "tests/engine/sequence/products.h"
 
 namespace glissade {
@@ -51,6 +52,19 @@ TEST(ToolChoice, TheDriveOfAJointCountsBeforeTheShape) {
     EXPECT_EQ(tools[1].front().kind, tool) << kDriveNames.of(drive);
   }
   EXPECT_EQ(toolsOf({fastener(JointKind::Screw, 1, {0}, DriveKind::None)}), toolsOf({})) << "no drive is known";
+}
+
+TEST(ToolChoice, NoToolIsNamedForASmoothRoundHead) {
+  constexpr double kDiameter = 0.005;
+  const auto toolsOfHead = [](double height) {
+    RigidBody screw = boxBody("screw", {0.1, 0.1, 0.1}, Pose::identity());
+    screw.mesh = std::make_shared<const TriangleMesh>(
+        test::screwMesh(kDiameter, 0.02, test::circle(0.9 * kDiameter), height, {}));
+    const AssembledProduct product = test::productOf({screw});
+    return chooseTools(ProductShapes(product), {FastenerKind::Screw}, {}, {})->front();
+  };
+  EXPECT_TRUE(toolsOfHead(0.6 * kDiameter).empty());
+  EXPECT_EQ(toolsOfHead(kDiameter), (Tools{{ToolKind::HexKey, 0}})) << "as high as a socket head screw";
 }
 
 TEST(ToolChoice, APersonsWordCountsFirst) {

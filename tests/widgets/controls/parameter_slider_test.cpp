@@ -66,7 +66,7 @@ TEST(ParameterSlider, DraggingAndTypingAnnounceValuesThatTheTableAccepts) {
 
 /// A number in inches has more digits than one in millimetres.
 TEST(ParameterSlider, EveryNumberFitsItsFieldInEveryUnit) {
-  for (const LengthUnit unit : {LengthUnit::Fitting, LengthUnit::Millimetres, LengthUnit::Inches, LengthUnit::Metres}) {
+  for (const LengthUnit unit : {LengthUnit::Millimetres, LengthUnit::Inches, LengthUnit::Metres}) {
     for (const ParameterSpec& spec : parameterTable()) {
       if (!spec.live) continue;
       ParameterSlider slider(spec.id);
@@ -88,7 +88,7 @@ TEST(ParameterSlider, EveryNumberFitsItsFieldInEveryUnit) {
       }
     }
   }
-  setLengthUnit(LengthUnit::Fitting);
+  setLengthUnit(LengthUnit::Millimetres);
   announceLengthUnit();
 }
 

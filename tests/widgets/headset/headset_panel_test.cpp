@@ -140,6 +140,17 @@ TEST_F(HeadsetPanelTest, ARunIsStartedAndStoppedAndAlphaIsDraggedByThePanelAlone
   EXPECT_TRUE(until([this] { return !glissade::isRunning(*snapshot()); }));
 }
 
+TEST_F(HeadsetPanelTest, TheSheetOfTheSceneChangesTheDisplayAndLeavesTheHeadset) {
+  wear();
+  hands_.pointAt(placeOf(*page().findChild<QWidget*>(QStringLiteral("headset-scene")))).pull().release().play();
+  ASSERT_TRUE(hasPlayed());
+  ASSERT_TRUE(until([this] { return buttonOf("display.wireframe").isVisibleTo(&page()); }));
+  press("display.wireframe");
+  EXPECT_TRUE(until([this] { return bench().actions["display.wireframe"]->isChecked(); }));
+  press("headset.leave");
+  EXPECT_TRUE(until([this] { return !headset().isChecked(); }));
+}
+
 TEST_F(HeadsetPanelTest, AStrategyIsChosen) {
   wear();
   QWidget& layers = *page().findChild<QAbstractButton*>(QStringLiteral("gts"));
@@ -171,14 +182,13 @@ TEST_F(HeadsetPanelTest, ItIsPaintedAgainOnlyWhenItSaysSomethingElse) {
     until([] { return false; }, 500);
     return rests && before == panel().paintings();
   }));
-  page().setStep(QStringLiteral("Step 1 of 2"));
+  page().setRefusal(QStringLiteral("refused"), {});
   EXPECT_TRUE(until([&] { return panel().paintings() > before; }));
 }
 
 TEST_F(HeadsetPanelTest, PictureOfAnEyeWithThePanel) {
   test::setEyePixels(kEyePixels);
   wear();
-  page().setStep(QStringLiteral("Step 2 of 5: key"));
   page().setRefusal(QStringLiteral("Start pose collides: 'object' overlaps wall by 3 mm."),
                     QStringLiteral("'wall': overlap 3 mm"));
   hands_.pointAt(placeOf(buttonOf("run.start"))).play();

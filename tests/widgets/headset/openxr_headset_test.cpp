@@ -187,6 +187,39 @@ TEST_F(OpenXrHeadsetTest, PicturesOfTheHandsWithTheRayThatMeetsTheObject) {
   EXPECT_GT(test::difference(open, imageOf(pictures().at(0))).share, 0.002) << "a hand that holds the object";
 }
 
+double shareOfRed(const QImage& picture) {
+  int red = 0;
+  for (int y = 0; y < picture.height(); ++y) {
+    for (int x = 0; x < picture.width(); ++x) {
+      const QRgb pixel = picture.pixel(x, y);
+      if (qRed(pixel) > 200 && qGreen(pixel) < 60 && qBlue(pixel) < 60) ++red;
+    }
+  }
+  return static_cast<double>(red) / (picture.width() * picture.height());
+}
+
+TEST_F(OpenXrHeadsetTest, NoBodyHidesThePanel) {
+  const auto tools = std::make_shared<HeadsetTools>();
+  auto red = std::make_shared<FlatPicture>();
+  red->width = red->height = 8;
+  for (int pixel = 0; pixel < 64; ++pixel) red->rgba.insert(red->rgba.end(), {255, 0, 0, 255});
+  tools->panel.set(red);
+  tools->panelInFront = true;
+  headset_->setTools(tools);
+  headset_->start();
+  ASSERT_TRUE(becomes(HeadsetState::Running));
+  const double before = shareOfRed(imageOf(pictures().at(0)));
+  EXPECT_GT(before, 0.02);
+  LoadedScenario hidden = *scenario_;
+  RigidBody body = hidden.obstacles.front();
+  body.id = "before-the-panel";
+  body.mesh = std::make_shared<const TriangleMesh>(makeBox(Vector3::Constant(0.1 / room_.scale)));
+  body.X_WB = inWorld(room_, kHead * Pose::translation({0.0, 0.0, -0.4}));
+  hidden.obstacles.push_back(body);
+  view_.setScenario(std::make_shared<const LoadedScenario>(hidden));
+  EXPECT_GT(shareOfRed(imageOf(pictures().at(0))), 0.98 * before);
+}
+
 /// The path is over the walls, coloured by its clearance; the ball is at its tightest place.
 TEST_F(OpenXrHeadsetTest, PictureOfAPathAsATube) {
   test::setEyePixels(640);

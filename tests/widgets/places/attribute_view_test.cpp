@@ -74,6 +74,17 @@ TEST_F(AttributeViewTest, TheWheelOnlyTurnsTheEditorThatHasTheFocus) {
   EXPECT_EQ(undo.count(), 1);
 }
 
+TEST_F(AttributeViewTest, AnUnknownMassIsNoNumberAndASmallOneIsNotZero) {
+  SemanticSelection body;
+  body.bodies.insert(QStringLiteral("O5"));
+  document.select(body);
+  auto* mass = qobject_cast<QDoubleSpinBox*>(editor("mass"));
+  ASSERT_NE(mass, nullptr);
+  EXPECT_EQ(mass->text(), QStringLiteral("by volume"));
+  mass->setValue(0.0004);
+  EXPECT_EQ(mass->text(), QStringLiteral("0.0004 kg"));
+}
+
 TEST_F(AttributeViewTest, NoStepAndNoKeyLeadsBelowTheRange) {
   auto* box = qobject_cast<QSpinBox*>(editor("complexity"));
   box->setFocus();

@@ -198,7 +198,7 @@ TEST_F(PartsPage, TheSizeFollowsUnitAndAxis) {
   choose(dialog, 1, PartsDialog::kUp, "Y");
   EXPECT_EQ(size(dialog, 1), QStringLiteral("60.0 × 30.0 × 40.0 mm"));
   choose(dialog, 1, PartsDialog::kUnit, "inch");
-  EXPECT_EQ(size(dialog, 1), QStringLiteral("1.52 × 0.76 × 1.02 m"));
+  EXPECT_EQ(size(dialog, 1), QStringLiteral("1524 × 762 × 1016 mm"));
   EXPECT_EQ(dialog.parts()[1].unit, 0.0254);
   EXPECT_EQ(dialog.parts()[1].up, UpAxis::Y);
   EXPECT_EQ(dialog.parts()[0].unit, 0.001);

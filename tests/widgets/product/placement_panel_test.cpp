@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QAction>
 #include <QLayout>
 #include <QVector>
 #include <QtTest/QTest>
@@ -34,6 +35,34 @@ TEST_F(PlacementPanelTest, ShowsMillimetresAndDegreesAndAnnouncesNothingItself) 
   EXPECT_TRUE(placed.isEmpty());
 }
 
+TEST_F(PlacementPanelTest, TheFieldsStayWhereTheyAreWhenABodyIsChosen) {
+  panel.show(QString(), std::nullopt);
+  panel.resize(300, panel.sizeHint().height());
+  panel.layout()->activate();
+  const int height = panel.sizeHint().height();
+  const QPoint before = box("place-x").pos();
+  panel.show(QStringLiteral("part"), Pose::identity());
+  panel.layout()->activate();
+  EXPECT_EQ(panel.sizeHint().height(), height);
+  EXPECT_EQ(box("place-x").pos(), before);
+}
+
+TEST_F(PlacementPanelTest, UndoInAFieldIsThatOfTheDocument) {
+  QAction undo;
+  undo.setShortcut(QKeySequence::Undo);
+  panel.addAction(&undo);
+  int undone = 0;
+  QObject::connect(&undo, &QAction::triggered, [&undone] { ++undone; });
+  panel.show(QStringLiteral("part"), Pose::identity());
+  panel.setVisible(true);
+  panel.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&panel));
+  box("place-x").setFocus();
+  QTest::keyClicks(&box("place-x"), QStringLiteral("5"));
+  QTest::keyClick(&box("place-x"), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(undone, 1);
+}
+
 TEST_F(PlacementPanelTest, OnlyTheNumberThatIsChangedChanges) {
   // The numbers have more digits than the panel shows.
   const Pose before{Vector3(1.0 / 3.0, 2.0 / 3.0, 1.0 / 7.0), fromRollPitchYaw(0.1, 0.2, 0.3)};
@@ -53,7 +82,7 @@ TEST_F(PlacementPanelTest, NumbersAreAboutThePointThatIsChosen) {
   const PlacementPoints points{Vector3(-0.01, 0, 0), Vector3(0, 0.04, 0)};
   panel.show(QStringLiteral("part"), before, points);
   auto& about = *panel.findChild<QComboBox*>(QStringLiteral("place-about"));
-  EXPECT_FALSE(about.isHidden());
+  EXPECT_TRUE(about.isEnabled());
   EXPECT_NEAR(box("place-y").value(), 190.0, 1e-9) << "the origin of the file";
   about.setCurrentIndex(about.findText(QStringLiteral("Middle")));
   EXPECT_NEAR(box("place-x").value(), 60.0, 1e-9);
@@ -65,7 +94,7 @@ TEST_F(PlacementPanelTest, NumbersAreAboutThePointThatIsChosen) {
   about.setCurrentIndex(about.findText(QStringLiteral("Reference point")));
   EXPECT_NEAR(box("place-y").value(), 160.0, 1e-9);
   panel.show(QString(), std::nullopt);
-  EXPECT_TRUE(about.isHidden());
+  EXPECT_FALSE(about.isEnabled());
 }
 
 /// The person places the axis or the face of a part.

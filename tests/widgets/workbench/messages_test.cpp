@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QLabel>
 #include <QMessageBox>
+#include <QStatusBar>
 #include <QTimer>
 #include <algorithm>
 #include <functional>
@@ -52,6 +53,20 @@ TEST(Messages, WhatFilesSayIsNeverTakenForHtml) {
   for (const char* part : {"<b>No</b>", "<img src=", "body <i>x</i>", "<s>another</s>"}) {
     EXPECT_TRUE(holds(texts, part)) << part;
   }
+}
+
+TEST(Messages, ADocumentThatWasSavedCanBeOpenedUntilAnotherMessageComes) {
+  QMainWindow window;
+  window.statusBar();
+  window.show();
+  Messages messages(window);
+  messages.showSaved(QStringLiteral("a.html was saved"), QStringLiteral("/folder/a.html"));
+  const auto* open = window.findChild<QAbstractButton*>(QStringLiteral("open-saved"));
+  ASSERT_NE(open, nullptr);
+  EXPECT_TRUE(open->isVisible());
+  EXPECT_TRUE(open->toolTip().contains(QStringLiteral("/folder/a.html")));
+  messages.showStatus(QStringLiteral("another"));
+  EXPECT_FALSE(open->isVisible());
 }
 
 TEST(Messages, AFilesNameIsShownAsItIsWhereASaveIsRefused) {
