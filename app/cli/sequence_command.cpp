@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "app/cli/interrupt.h"
+#include "app/cli/plan_conditions.h"
 #include "app/cli/text_cells.h"
 #include "engine/base/number_text.h"
 #include "engine/base/quantity_text.h"
@@ -26,6 +27,7 @@
 #include "engine/sequence/product_changes.h"
 #include "engine/sequence/product_finder.h"
 #include "engine/sequence/sequence_run.h"
+#include "engine/sequence/stated_units.h"
 #include "engine/sequence/step_motion.h"
 #include "engine/sequence/subassembly_lines.h"
 
@@ -417,11 +419,14 @@ void PlanPrinter::print(const AssemblyPlan& plan, double seconds) const {
   }
 }
 
-int exitCodeOf(const AssemblyPlan& plan) {
+/// The exit codes of `check` for the plan.
+int exitCodeOf(const AssemblyPlan& plan, bool hasConditions, const MissingShapes& missing) {
   switch (plan.end) {
     case PlanEnd::Complete:
       if (bodiesApart(plan) < plan.removed()) return exitCode(ErrorKind::NoPath);
-      return plan.removedWithoutProof() == 0 ? 0 : kExitWithoutProof;
+      if (hasConditions) return kExitUnderConditions;
+      if (plan.removedWithoutProof() > 0) return kExitWithoutProof;
+      return missing.empty() ? 0 : kExitUnderConditions;
     case PlanEnd::Stuck: return exitCode(ErrorKind::NoPath);
     case PlanEnd::TimeLimit: return exitCode(ErrorKind::LimitReached);
     case PlanEnd::Interrupted: break;
@@ -461,7 +466,8 @@ AssemblyPlan planWithout(const AssembledProduct& product, const SequenceRequest&
 
 /// Writes and prints the plan, and returns the exit code.
 int deliver(const AssemblyPlan& plan, const ProductFile& loaded, const SequenceOptions& options,
-            const ProgressHost& host, double seconds, std::size_t plainOverlaps) {
+            const ProgressHost& host, double seconds, std::size_t plainOverlaps,
+            const std::vector<Message>& conditions) {
   if (!loaded.product.fits.on && !plan.stuck.empty()) reportWarnings({fitsAreOff(options.file)}, options.console);
   if (!options.out.empty()) {
     if (const Outcome saved = savePlan(plan, options.file, options.out); !saved) {
@@ -474,13 +480,18 @@ int deliver(const AssemblyPlan& plan, const ProductFile& loaded, const SequenceO
     report["surface_deviation_m"] = loaded.deviation;
     report["plain_overlaps"] = plainOverlaps;
     report["missing_shapes"] = missingShapesJson(loaded.missing);
+    for (const Message& each : conditions) report["conditions"].push_back(toString(each));
     printJson(report);
   } else {
     PlanPrinter(host, options.console).print(plan, seconds);
     if (!loaded.missing.empty()) options.console.print(statementOf(loaded.missing));
     if (plainOverlaps > 0) options.console.print(check::plainOverlapsInWords(plainOverlaps));
+    for (const Message& each : conditions) options.console.print({GLISSADE_TEXT("condition: %1"), {each}});
+    if (!conditions.empty()) {
+      options.console.print(GLISSADE_TEXT("Only the plan states this. State the conditions in the scenario."));
+    }
   }
-  return exitCodeOf(plan);
+  return exitCodeOf(plan, !conditions.empty(), loaded.missing);
 }
 
 }  // namespace
@@ -563,7 +574,8 @@ int runSequence(const SequenceOptions& options) {
     plainOverlaps = static_cast<std::size_t>(
         std::count_if(contacts.begin(), contacts.end(), [](const Contact& each) { return each.isPlainOverlap; }));
   }
-  return deliver(plan, *loaded, options, host, secondsSince(begin), plainOverlaps);
+  const StatedUnits units = statedUnitsOf(plan, product, loaded->joints, stayingNames(options, *demands));
+  return deliver(plan, *loaded, options, host, secondsSince(begin), plainOverlaps, conditionsOf(plan, product, units));
 }
 
 }  // namespace glissade::cli

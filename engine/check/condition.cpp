@@ -1,8 +1,20 @@
 #include "engine/check/condition.h"
 
 #include "engine/base/depth_text.h"
+#include "engine/check/verdict_words.h"
 
 namespace glissade::check {
+namespace {
+
+/// "'a', 'b', 'c'" or, for many, "'a', 'b', 'c', … (17)".
+Message shortListOf(const std::vector<std::string>& names) {
+  constexpr std::size_t kMostNames = 3;
+  if (names.size() <= kMostNames) return namesInWords(names);
+  const Message first = namesInWords({names.begin(), names.begin() + kMostNames});
+  return {GLISSADE_TEXT("%1, … (%2)"), {first, names.size()}};
+}
+
+}  // namespace
 
 Condition clashIsAccepted(double depth) {
   return {{GLISSADE_TEXT("clashes up to %1 are accepted (--accept-clashes %2)"), {Depth{depth}, depthAsOption(depth)}},
@@ -28,9 +40,13 @@ Condition comesApart(const std::string& body, const std::string& other) {
   return {{GLISSADE_TEXT("the joint of '%1' and '%2' is dissolved or pressed out"), {body, other}}};
 }
 
-Condition areOneUnit(const Message& bodies) { return {{GLISSADE_TEXT("%1 are one unit"), {bodies}}}; }
+Condition areOneUnit(const std::vector<std::string>& bodies) {
+  return {{GLISSADE_TEXT("%1 are one unit"), {shortListOf(bodies)}}};
+}
 
-Condition areFixedAsBase(const Message& bodies) { return {{GLISSADE_TEXT("%1 are fixed as base"), {bodies}}}; }
+Condition areFixedAsBase(const std::vector<std::string>& bodies) {
+  return {{GLISSADE_TEXT("%1 are fixed as base"), {shortListOf(bodies)}}};
+}
 
 Condition leavesBefore(const std::string& body, const std::string& other) {
   return {{GLISSADE_TEXT("'%1' may be removed before '%2', although a constraint states the reverse"), {body, other}}};

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "engine/base/message.h"
 
@@ -25,8 +26,8 @@ Condition hookBends(const std::string& hook, const std::string& edge, double ben
 Condition isFlexible(const std::string& body);
 Condition noJointsAreUsed();
 Condition comesApart(const std::string& body, const std::string& other);
-Condition areOneUnit(const Message& bodies);
-Condition areFixedAsBase(const Message& bodies);
+Condition areOneUnit(const std::vector<std::string>& bodies);
+Condition areFixedAsBase(const std::vector<std::string>& bodies);
 Condition leavesBefore(const std::string& body, const std::string& other);
 /// `number`, `demanded`: places in the order of removal, from 1.
 Condition leavesAs(const std::string& body, std::size_t number, std::size_t demanded);

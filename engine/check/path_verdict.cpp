@@ -107,7 +107,7 @@ void notePull(const PairQuestion& asked, const PairFit& fit, const FitWords& wor
   const Placement other{asked.other, asked.other.X_WB};
   const std::vector<CommonThread> threads =
       commonThreads({placed.at(moving), placed.at(other), overlap, isCalled, fit.inSolid ? &*fit.inSolid : nullptr,
-                     screwSizeIn(asked.moving.name), screwSizeIn(asked.other.name)},
+                     asked.moving.name, asked.other.name},
                     stop);
   const Message pulled = pulledThread(threads, asked.path);
   if (pulled.empty()) return;

@@ -5,8 +5,7 @@
 
 #include "engine/check/evidence_names.h"
 #include "engine/check/plan_demands.h"
-#include "engine/check/verdict_words.h"
-#include "engine/evidence/pulled_thread.h"
+#include "engine/evidence/units.h"
 
 namespace glissade::check {
 namespace {
@@ -15,53 +14,21 @@ using Ids = std::set<std::string>;
 
 Ids idsOf(const std::vector<std::string>& ids) { return {ids.begin(), ids.end()}; }
 
-/// "'a', 'b', 'c'" or, for many, "'a', 'b', 'c', … (17)".
-Message shortListOf(const Ids& ids, const Product& product) {
-  constexpr std::size_t kMostNames = 3;
+std::vector<std::string> namesOf(const Ids& ids, const Product& product) {
   std::vector<std::string> names;
-  std::size_t count = 0;
   for (const Body& body : product.bodies) {
-    if (ids.count(body.id) != 0 && ++count <= kMostNames) names.push_back(body.name);
+    if (ids.count(body.id) != 0) names.push_back(body.name);
   }
-  const Message words = namesInWords(names);
-  return count <= kMostNames ? words : Message{GLISSADE_TEXT("%1, … (%2)"), {words, count}};
+  return names;
 }
 
-const Body* bodyOf(const std::string& id, const Product& product) {
-  for (const Body& body : product.bodies) {
-    if (body.id == id) return &body;
-  }
-  return nullptr;
-}
-
-/// True if a person says that both belong to one unit, or if one is pressed into the other.
-bool areJoined(const std::string& one, const std::string& other, const Product& product, PlacedBodies& placed) {
-  const auto isIn = [](const std::vector<std::string>& unit, const std::string& id) {
-    return std::find(unit.begin(), unit.end(), id) != unit.end();
-  };
-  const auto& units = product.joints.units;
-  if (std::any_of(units.begin(), units.end(), [&](const auto& unit) { return isIn(unit, one) && isIn(unit, other); })) {
-    return true;
-  }
-  const Body* a = bodyOf(one, product);
-  const Body* b = bodyOf(other, product);
-  return a != nullptr && b != nullptr && isPressedIn(placed.at({*a, a->X_WB}), placed.at({*b, b->X_WB}));
-}
-
-/// True if the bodies are connected by such joints.
+/// True if evidence or a person says that the bodies are one unit.
 bool isUnit(const Ids& ids, const Product& product, PlacedBodies& placed) {
-  Ids reached{*ids.begin()};
-  std::vector<std::string> open{*ids.begin()};
-  while (!open.empty()) {
-    const std::string one = open.back();
-    open.pop_back();
-    for (const std::string& other : ids) {
-      if (reached.count(other) != 0 || !areJoined(one, other, product, placed)) continue;
-      reached.insert(other);
-      open.push_back(other);
-    }
+  std::vector<const Body*> bodies;
+  for (const Body& body : product.bodies) {
+    if (ids.count(body.id) != 0) bodies.push_back(&body);
   }
-  return reached.size() == ids.size();
+  return bodies.size() == ids.size() && areOneUnit(bodies, product.joints.units, placed);
 }
 
 class LeavingCount {
@@ -103,7 +70,7 @@ class LeavingCount {
       leaving_.asUnits += ids.size();
     } else if (isSaidToBeUnit) {
       leaving_.asUnits += ids.size();
-      leaving_.conditions.push_back(areOneUnit(shortListOf(ids, product_)));
+      leaving_.conditions.push_back(areOneUnit(namesOf(ids, product_)));
     } else {
       leaving_.inGroups += ids.size();
     }
@@ -128,7 +95,7 @@ std::vector<Condition> baseOf(const Plan& plan, const Product& product, PlacedBo
     for (const std::size_t body : bodiesNamed(product, name)) said.insert(product.bodies[body].id);
   }
   if (std::includes(said.begin(), said.end(), staying.begin(), staying.end())) return {};
-  return {areFixedAsBase(shortListOf(staying, product))};
+  return {areFixedAsBase(namesOf(staying, product))};
 }
 
 }  // namespace glissade::check

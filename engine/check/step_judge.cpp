@@ -295,10 +295,10 @@ class StepJudge {
     if (!isCalled && !fit.isThinned()) return;
     double overlap = 0.0;
     for (const AppliedAllowance& each : fit.applied) overlap = std::max(overlap, each.evidence.overlap);
-    const std::vector<CommonThread> threads = commonThreads(
-        {placed_.at({asked.moving, asked.moving.X_WB}), placed_.at({asked.other, asked.other.X_WB}), overlap, isCalled,
-         fit.inSolid ? &*fit.inSolid : nullptr, screwSizeIn(asked.moving.name), screwSizeIn(asked.other.name)},
-        watch_.stop);
+    const std::vector<CommonThread> threads =
+        commonThreads({placed_.at({asked.moving, asked.moving.X_WB}), placed_.at({asked.other, asked.other.X_WB}),
+                       overlap, isCalled, fit.inSolid ? &*fit.inSolid : nullptr, asked.moving.name, asked.other.name},
+                      watch_.stop);
     for (const TurnedThread& each : turnedThreads(threads, asked.path)) judgePitch(asked, each, verdict);
     const Message pulled = pulledThread(threads, asked.path);
     if (pulled.empty()) return;

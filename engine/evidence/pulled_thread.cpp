@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/evidence/crests.h"
+#include "engine/evidence/drawn_nut.h"
 #include "engine/evidence/overlap.h"
 #include "engine/evidence/thread.h"
 #include "engine/geometry/thread_standards.h"
@@ -25,6 +26,11 @@ constexpr double kLeadOff = 0.1;
 
 /// Difference below which radii are equal, metres.
 constexpr double kLeastPressed = 5e-7;
+/// Radius of inserts for plastic and sheet metal, largest radial excess of what is melted in, and largest gap of what
+/// fits exactly, metres.
+constexpr double kLargestInsert = 8e-3;
+constexpr double kMostInsertExcess = 1.5e-3;
+constexpr double kExactFit = 3e-6;
 
 bool isDeepAsThread(const CommonThread& pair, double overlap) {
   const bool isDeep = pair.depth > kLeastThreadDepth * pair.radius || isCoreOfThread(pair.radius, pair.depth);
@@ -62,8 +68,10 @@ class ModelledThreads {
   ModelledThreads(const LeavingPair& pair, const StopToken& stop) : pair_(pair), stop_(stop) {}
 
   std::vector<CommonThread> find() {
-    for (const RoundFace& wall : pair_.other.rounds) add(wall, pair_.moving, pair_.sizeOfMoving, true);
-    for (const RoundFace& wall : pair_.moving.rounds) add(wall, pair_.other, pair_.sizeOfOther, false);
+    const auto sizeOfMoving = screwSizeIn(pair_.nameOfMoving);
+    const auto sizeOfOther = screwSizeIn(pair_.nameOfOther);
+    for (const RoundFace& wall : pair_.other.rounds) add(wall, pair_.moving, sizeOfMoving, true);
+    for (const RoundFace& wall : pair_.moving.rounds) add(wall, pair_.other, sizeOfOther, false);
     return std::move(threads_);
   }
 
@@ -166,7 +174,7 @@ RoundOverlap roundOverlap(const PlacedBody& one, const PlacedBody& other) {
 }
 
 /// The threads that are modelled. If there is none, the shafts that are too thick for their holes. If there is none
-/// either and the file calls the pair a thread, the closest shaft and hole.
+/// either, and the file calls the pair a thread or one is a nut, the closest shaft and hole.
 std::vector<CommonThread> commonThreads(const LeavingPair& pair, const StopToken& stop) {
   if (const ScrewInSolid* screw = pair.inSolid) {
     const bool isShaft = true;
@@ -184,7 +192,8 @@ std::vector<CommonThread> commonThreads(const LeavingPair& pair, const StopToken
       if (!closest || std::abs(round->depth) < std::abs(closest->depth)) closest = round;
     }
   }
-  if (threads.empty() && closest && pair.isCalledThread) threads.push_back(*closest);
+  if (!threads.empty() || !closest) return threads;
+  if (pair.isCalledThread || isNutOnShaft(*closest, pair)) threads.push_back(*closest);
   return threads;
 }
 
@@ -203,6 +212,23 @@ bool isPressedIn(const PlacedBody& one, const PlacedBody& other) {
       const auto pair = aroundEachOther(own, hole);
       const bool isTight = pair && pair->depth > kLeastPressed && pair->depth <= kLeastThreadDepth * pair->radius;
       if (isTight && !isCoreOfThread(pair->radius, pair->depth)) return true;
+    }
+  }
+  return false;
+}
+
+bool isInsertIn(const PlacedBody& guest, const PlacedBody& host, bool isNamed) {
+  const auto isRing = [&](const CommonThread& pair) {
+    return pair.radius <= kLargestInsert && std::any_of(guest.rounds.begin(), guest.rounds.end(), [&](const auto& own) {
+             const auto beside = aroundEachOther({pair.point, pair.axis, pair.radius, true, pair.low, pair.high}, own);
+             return beside && beside->depth > 0.0;
+           });
+  };
+  for (const RoundFace& own : guest.rounds) {
+    for (const RoundFace& hole : host.rounds) {
+      const auto pair = aroundEachOther(own, hole);
+      if (!pair || !pair->movingIsShaft || pair->depth > kMostInsertExcess) continue;
+      if (isNamed ? pair->depth >= -kExactFit : pair->depth > kLeastPressed && isRing(*pair)) return true;
     }
   }
   return false;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "engine/base/message.h"
@@ -17,9 +18,8 @@ struct LeavingPair {
   double overlap = 0.0;                   ///< metres, as deep as the one is in the other
   bool isCalledThread = false;            ///< by the file: also where both cylinders are equally wide
   const ScrewInSolid* inSolid = nullptr;  ///< one is a screw that makes its hole in the other one; null: none is
-  /// Diameters of threads that the names of screws state (screwSizeIn()), metres; nothing where a name states none.
-  std::optional<double> sizeOfMoving{};
-  std::optional<double> sizeOfOther{};
+  std::string nameOfMoving{};             ///< may say that a body is a screw of a size, a nut or a pin
+  std::string nameOfOther{};
 };
 
 /// Two cylinders that are around each other where the product is assembled: about one axis, or about two beside each
@@ -51,7 +51,8 @@ bool isCoreOfThread(double radius, double depth);
 
 /// The threads that the pair has in common, which come apart by turning: a shaft of the one in a hole of the other,
 /// with all of the hole's wall in the shaft; crests of a modelled helix that go into the wall of the other one; and
-/// crests that are rings, where a name says that the body is a screw of this size. The one definition of what may not
+/// crests that are rings, where a name says that the body is a screw of this size; and a nut on a shaft that is as wide
+/// as its hole (drawn_nut.h). The one definition of what may not
 /// be pulled: planners ask for it while they make a motion, and the judge when it judges one. Not all after a stop.
 std::vector<CommonThread> commonThreads(const LeavingPair& pair, const StopToken& stop = {});
 
@@ -63,6 +64,10 @@ Message pulledThread(const std::vector<CommonThread>& threads, const std::vector
 /// True if an assembled shaft of one body is thicker than the hole of the other that contains it, by an excess that can
 /// be pressed in.
 bool isPressedIn(const PlacedBody& one, const PlacedBody& other);
+
+/// True if the guest is an insert in a hole of the host: a small ring that is thicker than the hole, or a body whose
+/// name says that it is an insert or a bearing (`isNamed`) and that is as wide as the hole, or thicker.
+bool isInsertIn(const PlacedBody& guest, const PlacedBody& host, bool isNamed);
 
 /// A thread in which a motion turns.
 struct TurnedThread {

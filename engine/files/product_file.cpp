@@ -10,6 +10,7 @@
 #include "engine/files/unit_guess.h"
 #include "engine/import/geometry_loader.h"
 #include "engine/model/body_choice.h"
+#include "engine/places/body_labels.h"
 
 namespace glissade {
 namespace {
@@ -43,6 +44,7 @@ Result<ProductFile> productOfParts(const std::string& file, const StopToken& sto
   }
   loaded.product.tree = Product(bodies);
   labelBodies(loaded.product.bodies, loaded.product.tree);
+  nameByLabels(loaded.warnings, loaded.product.bodies);
   loaded.product.fits.on = true;
   return loaded;
 }

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "engine/files/scenario_fits.h"
+#include "engine/fits/fit_words.h"
 #include "engine/fits/joint_finder.h"
 #include "engine/fits/judged_threads.h"
 
@@ -48,13 +49,16 @@ bool joins(const Joint& joint, std::size_t one, std::size_t other) {
 
 std::vector<Message> pulledThreadsOf(const LoadedScenario& scenario, const std::vector<PathPoint>& path,
                                      const StopToken& stop) {
-  if (scenario.fits.allowed.empty()) return {};
+  const SequenceDemands& demands = scenario.scenario.sequence;
+  if (scenario.fits.allowed.empty() || demands.jointUse == JointUse::Off) return {};
   ObjectInFits found = objectInFits(scenario);
   const AssembledProduct& product = found.product;
   const std::size_t object = product.bodies.size() - 1;
   const Joints joints = findJoints(product, stop);
   const std::vector<Pose> configurations = configurationsOf(path);
-  JudgedThreads judged(product);
+  std::vector<JointEdit> edits = scenario.scenario.joints;
+  edits.insert(edits.end(), demands.joints.begin(), demands.joints.end());
+  JudgedThreads judged(product, partingsOf(edits));
   std::vector<Message> pulled;
   for (std::size_t other = 0; other < object; ++other) {
     const bool isScrewedIn = std::any_of(joints.begin(), joints.end(), [&](const Joint& joint) {

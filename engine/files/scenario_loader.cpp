@@ -22,6 +22,7 @@
 #include "engine/import/import_limits.h"
 #include "engine/import/omplapp_config.h"
 #include "engine/import/unread_kind.h"
+#include "engine/places/body_labels.h"
 #include "engine/places/held_edits.h"
 
 namespace glissade {
@@ -359,6 +360,7 @@ Result<LoadedScenario> loadGeometry(Scenario scenario, const std::string& folder
   loaded.missing = missingShapesIn(loaded.geometry, scenario, folder);
   loaded.warnings = std::move(loader.warnings());
   labelAll(loaded);
+  nameByLabels(loaded.warnings, rigidBodiesOf(loaded));
   for (const RigidBody& body : rigidBodiesOf(loaded)) warnIfOpen(body, file, before, loaded);
 
   if (const Outcome sound = checkExtents(loaded, scenario.workspace, file); !sound) return sound.error();

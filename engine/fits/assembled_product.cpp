@@ -30,6 +30,11 @@ bool areSameFits(const FitSettings& a, const FitSettings& b) {
 
 }  // namespace
 
+evidence::Body AssembledProduct::measured(std::size_t body) const {
+  const RigidBody& own = bodies[body];
+  return {own.id, own.shown(), own.mesh, own.X_WB, spacingOf(body), deflections[body]};
+}
+
 bool isSameProduct(const AssembledProduct& a, const AssembledProduct& b) {
   const auto sameMesh = [](const TriangleMesh& one, const TriangleMesh& other) {
     return &one == &other || (one.vertices == other.vertices && one.triangles == other.triangles);

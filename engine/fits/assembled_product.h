@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/evidence/body.h"
 #include "engine/evidence/pair_words.h"
 #include "engine/fits/contact_report.h"
 #include "engine/model/product.h"
@@ -25,6 +26,8 @@ struct AssembledProduct {
   std::optional<std::size_t> indexOf(const std::string& id) const;
   /// Name of the body in the file: its name in the tree, or the body's name if the tree does not contain it.
   const std::string& nameInFile(std::size_t body) const;
+  /// The body as the judge measures it.
+  evidence::Body measured(std::size_t body) const;
   double spacingOf(std::size_t body) const { return spacings.empty() ? 0.0 : spacings[body]; }
 };
 

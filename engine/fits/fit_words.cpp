@@ -28,4 +28,17 @@ evidence::FitWords wordsOf(const FitSettings& settings) {
   return words;
 }
 
+evidence::PartingWords partingsOf(const std::vector<JointEdit>& edits) {
+  evidence::PartingWords words;
+  for (const JointEdit& edit : edits) {
+    const bool parts = edit.word == JointEdit::Word::Dissolved || edit.word == JointEdit::Word::PressedOut;
+    for (const std::string& other : edit.key.others) {
+      const std::pair<std::string, std::string> pair = std::minmax(edit.key.body, other);
+      std::erase(words.pairs, pair);
+      if (parts) words.pairs.push_back(pair);
+    }
+  }
+  return words;
+}
+
 }  // namespace glissade

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "engine/evidence/pair_words.h"
 #include "engine/fits/fit_settings.h"
+#include "engine/fits/joint.h"
 
 namespace glissade {
 
@@ -12,5 +14,9 @@ const FitEdit* editOf(const FitSettings& settings, const std::string& a, const s
 
 /// A person's statements about fits, as the judge takes them.
 evidence::FitWords wordsOf(const FitSettings& settings);
+
+/// The pairs whose joint a person has dissolved or pressed out, as the judge takes them; the last statement about a
+/// pair counts.
+evidence::PartingWords partingsOf(const std::vector<JointEdit>& edits);
 
 }  // namespace glissade

@@ -8,6 +8,7 @@
 #include "engine/base/enum_names.h"
 #include "engine/base/message.h"
 #include "engine/geometry/pose.h"
+#include "engine/model/drive_kind.h"
 
 namespace glissade {
 
@@ -37,11 +38,6 @@ enum class JointState {
 };
 
 inline constexpr EnumNames<JointState, 3> kJointStateNames{{"recognised", "suggested", "confirmed"}};
-
-/// The feature of a fastener by which a tool turns it.
-enum class DriveKind { None, HexOutside, HexSocket, Cross, Slot, SixLobe };
-
-inline constexpr EnumNames<DriveKind, 6> kDriveNames{{"none", "hex", "hex_socket", "cross", "slot", "six_lobe"}};
 
 /// The thread of a fastener, and how far it turns.
 struct JointThread {

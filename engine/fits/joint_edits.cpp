@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "engine/evidence/hook.h"
-#include "engine/fits/designation.h"
 #include "engine/fits/joint.h"
 #include "engine/fits/product_shapes.h"
+#include "engine/model/designation.h"
 
 namespace glissade {
 namespace {
@@ -229,8 +229,8 @@ class JointEditor {
       }
     }
     if (open.empty()) return Done{};
-    const std::string far = product_.bodies[open.front()].id;
-    return refusal(key, {GLISSADE_TEXT("'%1' is far from '%2'"), {far, product_.bodies[joint.body].id}},
+    const std::string far = product_.bodies[open.front()].shown();
+    return refusal(key, {GLISSADE_TEXT("'%1' is far from '%2'"), {far, product_.bodies[joint.body].shown()}},
                    GLISSADE_TEXT("Join bodies that touch, or nearly do."));
   }
 

@@ -7,18 +7,16 @@
 
 namespace glissade {
 
-JudgedThreads::JudgedThreads(const AssembledProduct& product) : product_(product), words_(wordsOf(product.fits)) {}
-
-evidence::Body JudgedThreads::bodyAt(std::size_t index) const {
-  const RigidBody& own = product_.bodies[index];
-  return {own.id, own.shown(), own.mesh, own.X_WB, product_.spacingOf(index), product_.deflections[index]};
+JudgedThreads::JudgedThreads(const AssembledProduct& product, evidence::PartingWords partings)
+    : product_(product), words_(wordsOf(product.fits)) {
+  words_.partings = std::move(partings);
 }
 
 /// True if the judge permits a pull: for meshes without stated faces, by a person's statement, and for a hollow pair
 /// that the evidence would refuse without an accepted clash.
 bool JudgedThreads::mayBePulled(std::size_t body, std::size_t other, const std::vector<Fit>& fits) {
-  const evidence::Body own = bodyAt(body);
-  const evidence::Body obstacle = bodyAt(other);
+  const evidence::Body own = product_.measured(body);
+  const evidence::Body obstacle = product_.measured(other);
   if (own.mesh->faces.empty() || obstacle.mesh->faces.empty()) return true;
   if (!words_.partingOf(own.id, obstacle.id).empty()) return true;
   const auto isCut = [](const Fit& fit) { return fit.hollow && fit.kind != ContactKind::Thread; };
@@ -33,22 +31,23 @@ std::vector<evidence::CommonThread> JudgedThreads::of(std::size_t body, std::siz
   double overlap = 0.0;
   bool isCalledThread = false;
   bool makesHole = false;
+  bool areRound = false;
   for (const Fit& fit : fits) {
     if (fit.thread) return {};
     makesHole = makesHole || (fit.hollow && fit.kind == ContactKind::Thread);
     overlap = std::max(overlap, fit.evidence.overlap);
     isCalledThread = isCalledThread || fit.kind == ContactKind::Thread;
+    areRound = areRound || fit.kind == ContactKind::Cylindrical;
   }
-  if ((overlap <= 0.0 && !isCalledThread) || mayBePulled(body, other, fits)) return {};
-  const evidence::Body own = bodyAt(body);
-  const evidence::Body obstacle = bodyAt(other);
+  if ((overlap <= 0.0 && !isCalledThread && !areRound) || mayBePulled(body, other, fits)) return {};
+  const evidence::Body own = product_.measured(body);
+  const evidence::Body obstacle = product_.measured(other);
   std::optional<evidence::ScrewInSolid> screw;
   if (makesHole) screw = evidence::screwInSolid({own, own.X_WB}, {obstacle, obstacle.X_WB}, placed_, stop);
   if (makesHole && !screw) screw = evidence::screwInSolid({obstacle, obstacle.X_WB}, {own, own.X_WB}, placed_, stop);
-  return evidence::commonThreads(
-      {placed_.at({own, own.X_WB}), placed_.at({obstacle, obstacle.X_WB}), overlap, isCalledThread,
-       screw ? &*screw : nullptr, evidence::screwSizeIn(own.name), evidence::screwSizeIn(obstacle.name)},
-      stop);
+  return evidence::commonThreads({placed_.at({own, own.X_WB}), placed_.at({obstacle, obstacle.X_WB}), overlap,
+                                  isCalledThread, screw ? &*screw : nullptr, own.name, obstacle.name},
+                                 stop);
 }
 
 }  // namespace glissade

@@ -14,17 +14,17 @@ struct AssembledProduct;
 /// once. Used by one thread.
 class JudgedThreads {
  public:
-  explicit JudgedThreads(const AssembledProduct& product);
+  /// `partings`: pairs that may come apart without a turn.
+  JudgedThreads(const AssembledProduct& product, evidence::PartingWords partings);
 
-  /// Threads that the body leaves by turning only, because the judge refuses a pull. None for a pair without an overlap
-  /// that no fit calls a thread, for a marked thread, if a person states that they come apart otherwise, for a hollow
-  /// pair that would be refused without acceptance, and for meshes without stated faces. Not all after a stop. `fits`:
-  /// of the moving body with the other body.
+  /// Threads that the body leaves by turning only, because the judge refuses a pull. None for a pair whose planes touch
+  /// and that no fit calls a thread, for a marked thread, if a person states that they come apart otherwise, for a
+  /// hollow pair that would be refused without acceptance, and for meshes without stated faces. Not all after a stop.
+  /// `fits`: of the moving body with the other body.
   std::vector<evidence::CommonThread> of(std::size_t body, std::size_t other, const std::vector<Fit>& fits,
                                          const StopToken& stop);
 
  private:
-  evidence::Body bodyAt(std::size_t index) const;
   bool mayBePulled(std::size_t body, std::size_t other, const std::vector<Fit>& fits);
 
   const AssembledProduct& product_;

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "engine/fits/designation.h"
 #include "engine/fits/product_shapes.h"
+#include "engine/model/designation.h"
 
 namespace glissade {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/fits/nut_size.h"
+#include "engine/evidence/nut_size.h"
 #include "engine/fits/thread_pitch.h"
 
 namespace glissade {
@@ -15,18 +15,19 @@ constexpr double kLeastHole = 0.7;
 constexpr double kWidestHole = 1.35;
 /// A hole counts as wide as its shaft up to this ratio.
 constexpr double kEqualHole = 1.02;
-/// Relative difference within which diameters of names are equal.
-constexpr double kNearDiameter = 0.03;
-
-/// The size of the name, else the sizes by shape.
-std::vector<ThreadSize> sizesOf(double said, std::vector<ThreadSize> byShape) {
-  if (!(said > 0.0)) return byShape;
-  std::vector<ThreadSize> sizes;
-  for (const ThreadFamily family : {ThreadFamily::Metric, ThreadFamily::Unified}) {
-    const ThreadSize& nearest = nearestThreadSize(family, said);
-    if (std::abs(nearest.diameter - said) <= kNearDiameter * said) sizes.push_back(nearest);
+/// Width of a regular prism across its flats; 0: it is none.
+double widthOf(const TurnedShape& nut) {
+  if (nut.sides == 6) return nut.drive.size;
+  double width = 0.0;
+  for (const AxialSlab& slab : nut.slabs) {
+    if (const auto across = acrossFlats(slab.farthest, nut.sides)) width = std::max(width, *across);
   }
-  return sizes;
+  return width;
+}
+
+std::vector<ThreadSize> nutSizes(const TurnedShape& nut) {
+  if (nut.kind != TurnedKind::Nut || nut.sides == 0) return {};
+  return evidence::nutSizes({nut.sides, widthOf(nut), nut.length(), nut.hole});
 }
 
 /// A prism with a hole and the name "bolt" also counts: some files exchange these names, and the joint is doubtful.
@@ -53,13 +54,14 @@ NutOnShaft nutOnShaft(const ProductShapes& shapes, const Designations& said, con
   const double share = shape.hole / radius;
   if (share < kLeastHole || share > kWidestHole) return {};
   const bool isNamed = isNamedNut(said, nut);
-  const std::vector<ThreadSize> ofNut = sizesOf(saidDiameter(said, nut, StandardPart::Nut), nutSizes(shape));
-  const std::vector<ThreadSize> ofShaft = sizesOf(saidDiameter(said, shaft, StandardPart::Screw), shaftSizes(radius));
+  const std::vector<ThreadSize> ofNut = evidence::sizesOf(saidDiameter(said, nut, StandardPart::Nut), nutSizes(shape));
+  const std::vector<ThreadSize> ofShaft =
+      evidence::sizesOf(saidDiameter(said, shaft, StandardPart::Screw), evidence::shaftSizes(radius));
   const bool areKnown = !ofNut.empty() && !ofShaft.empty();
   const bool isTight = isThreadDepth(radius, radius - shape.hole);
   const bool isEqual = !isTight && share <= kEqualHole;
   NutOnShaft found{true, {}, {}, isTight};
-  if (areKnown && !haveOneSize(ofNut, ofShaft)) {
+  if (areKnown && !evidence::haveOneSize(ofNut, ofShaft)) {
     if (!isTight && !isNamed && !(isScrew && shape.sides == 6)) return {};
     found.doubt = {GLISSADE_TEXT("the sizes do not agree: a shaft of %1 in a nut %2"),
                    {Length{2.0 * radius}, ofNut.front().name}};

@@ -14,7 +14,8 @@ struct NutOnShaft {
   bool isDeepened = false;  ///< the hole is narrower by a thread: the joint counts despite doubts
 };
 
-/// True for a prism with a hole that is called a nut, or has the width, the height and the hole of one (nut_size.h).
+/// True for a prism with a hole that is called a nut, or has the width, the height and the hole of one
+/// (evidence/nut_size.h).
 bool isNut(const ProductShapes& shapes, const Designations& said, std::size_t body);
 
 /// A body that may be a nut, and a shaft in its hole.

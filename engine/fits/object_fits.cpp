@@ -7,7 +7,6 @@
 
 #include "engine/base/depth_text.h"
 #include "engine/evidence/named_screw.h"
-#include "engine/fits/designation.h"
 #include "engine/fits/fit_refusals.h"
 #include "engine/fits/fit_thread.h"
 #include "engine/fits/fit_words.h"
@@ -15,6 +14,7 @@
 #include "engine/fits/hollow_fit.h"
 #include "engine/fits/modelled_thread.h"
 #include "engine/fits/object_contacts.h"
+#include "engine/model/designation.h"
 
 namespace glissade {
 namespace {
@@ -94,24 +94,14 @@ class FitFinder {
     return snap == nullptr ? std::nullopt : std::optional(snap->hook != object_.id);
   }
 
-  evidence::Body measuredBody(std::size_t index) const {
-    const RigidBody& own = body(index);
-    return {own.id,
-            own.shown(),
-            own.mesh,
-            own.X_WB,
-            question_.product.spacingOf(index),
-            question_.product.deflections[index]};
-  }
-
   const evidence::PairWord* wordAbout(std::size_t obstacle) const {
     return words_.about(object_.id, body(obstacle).id);
   }
 
   evidence::PairBounds boundsWith(std::size_t obstacle, const evidence::FitWords& words,
                                   const evidence::PairWord* word) const {
-    const evidence::Body own = measuredBody(question_.object);
-    const evidence::Body fixed = measuredBody(obstacle);
+    const evidence::Body own = question_.product.measured(question_.object);
+    const evidence::Body fixed = question_.product.measured(obstacle);
     std::optional<evidence::PairBounds> bounds;
     for (const Pose& end : ends_) {
       const evidence::PairBounds found = tools_.placed.boundsOf({own, end}, {fixed, fixed.X_WB}, words, word, stop_);
@@ -300,8 +290,8 @@ class FitFinder {
   }
 
   evidence::Cut cutOf(std::size_t obstacle, const FoundContact& found) const {
-    const evidence::Body own = measuredBody(question_.object);
-    const evidence::Body other = measuredBody(obstacle);
+    const evidence::Body own = question_.product.measured(question_.object);
+    const evidence::Body other = question_.product.measured(obstacle);
     return tools_.placed.cutOf({own, found.measuredAt}, {other, other.X_WB}, words_, stop_);
   }
 
@@ -319,8 +309,8 @@ class FitFinder {
     if (editAbout(fit.obstacle) != nullptr) return false;
     fit.kind = ContactKind::Thread;
     for (const bool yields : {true, false}) {
-      const evidence::Body own = measuredBody(question_.object);
-      const evidence::Body other = measuredBody(fit.obstacle);
+      const evidence::Body own = question_.product.measured(question_.object);
+      const evidence::Body other = question_.product.measured(fit.obstacle);
       const evidence::Placement moving{own, found.measuredAt};
       const evidence::Placement fixed{other, other.X_WB};
       const auto screw = evidence::screwInSolid(yields ? moving : fixed, yields ? fixed : moving, tools_.placed, stop_);
@@ -359,8 +349,8 @@ class FitFinder {
 
   /// `yields`: the obstacle is the hollow body.
   std::optional<HollowFit> hollowFit(std::size_t obstacle, const FoundContact& found, bool yields) const {
-    const evidence::Body ownBody = measuredBody(question_.object);
-    const evidence::Body otherBody = measuredBody(obstacle);
+    const evidence::Body ownBody = question_.product.measured(question_.object);
+    const evidence::Body otherBody = question_.product.measured(obstacle);
     const evidence::Placement own{ownBody, found.measuredAt};
     const evidence::Placement other{otherBody, otherBody.X_WB};
     return hollowFitOf(yields ? other : own, yields ? own : other, tools_.placed, tools_.thinnable, stop_);
@@ -383,8 +373,8 @@ class FitFinder {
     evidence::PairWord accepted{object_.id, other.id};
     accepted.accepted = true;
     const evidence::PairBounds bounds = boundsWith(fit.obstacle, words_, &accepted);
-    const evidence::Body ownBody = measuredBody(question_.object);
-    const evidence::Body otherBody = measuredBody(fit.obstacle);
+    const evidence::Body ownBody = question_.product.measured(question_.object);
+    const evidence::Body otherBody = question_.product.measured(fit.obstacle);
     const CoreSide own{contactBody(object_, found.measuredAt), tools_.placed.at({ownBody, found.measuredAt}),
                        bounds.one};
     const CoreSide others{contactBody(other, other.X_WB), tools_.placed.at({otherBody, other.X_WB}), bounds.other};

@@ -43,18 +43,13 @@ class BendTrial {
  private:
   Box3 boxOf(std::size_t body) const { return boundingBox(*product_.bodies[body].mesh, product_.bodies[body].X_WB); }
 
-  evidence::Body measured(std::size_t index) const {
-    const RigidBody& body = product_.bodies[index];
-    return {body.id, body.shown(), body.mesh, body.X_WB, product_.spacingOf(index), product_.deflections[index]};
-  }
-
   bool leaves(const Vector3& direction, double bend) {
     return std::all_of(edges_.begin(), edges_.end(), [&](std::size_t edge) { return passes(edge, direction, bend); });
   }
 
   bool passes(std::size_t edge, const Vector3& direction, double bend) {
-    const evidence::Body own = measured(body_);
-    const evidence::Body other = measured(edge);
+    const evidence::Body own = product_.measured(body_);
+    const evidence::Body other = product_.measured(edge);
     evidence::FitWords words{true, 0.0, {}, {}};
     if (bend > 0.0) words.snaps = {{own.id, other.id, bend, direction}};
     const evidence::AllowanceBound bound =

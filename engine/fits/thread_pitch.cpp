@@ -16,22 +16,11 @@ constexpr double kNominalShare = 0.04;
 constexpr double kLeastDepth = 0.02;
 constexpr double kLeastDepthInPitches = 0.13;
 
-/// Relative deviation of a shaft that is drawn with the outer diameter of its thread.
-constexpr double kExactly = 0.003;
-
-bool isExactly(const ThreadSize& size, double diameter) {
-  return std::abs(diameter - size.diameter) <= kExactly * size.diameter;
-}
-
 }  // namespace
 
 ThreadPitch coarsePitch(double radius) {
-  const double diameter = 2.0 * radius;
-  const ThreadSize& metric = nearestThreadSize(ThreadFamily::Metric, diameter);
-  const ThreadSize& inch = nearestThreadSize(ThreadFamily::Unified, diameter);
-  const bool isInch = inch.pitch > 0.0 && isExactly(inch, diameter) && !isExactly(metric, diameter);
-  const ThreadSize& nearest = isInch ? inch : metric;
-  return {nearest.pitch, nearest.name};
+  const ThreadSize& size = usualThreadSize(2.0 * radius);
+  return {size.pitch, size.name};
 }
 
 std::string nominalSize(double diameter) {

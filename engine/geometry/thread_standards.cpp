@@ -261,6 +261,16 @@ const ThreadSize& nearestThreadSize(ThreadFamily family, double diameter) {
   });
 }
 
+const ThreadSize& usualThreadSize(double diameter) {
+  constexpr double kExactly = 0.003;
+  const ThreadSize& metric = nearestThreadSize(ThreadFamily::Metric, diameter);
+  const ThreadSize& inch = nearestThreadSize(ThreadFamily::Unified, diameter);
+  const auto isExactly = [&](const ThreadSize& size) {
+    return std::abs(diameter - size.diameter) <= kExactly * size.diameter;
+  };
+  return inch.pitch > 0.0 && isExactly(inch) && !isExactly(metric) ? inch : metric;
+}
+
 std::vector<double> metricPitches(double diameter) {
   constexpr double kNominalShare = 0.04;
   std::vector<double> pitches;

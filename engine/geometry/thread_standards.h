@@ -34,6 +34,10 @@ const std::vector<ThreadSize>& threadSizes(ThreadFamily family);
 /// The size of the family that is nearest to a diameter (metres).
 const ThreadSize& nearestThreadSize(ThreadFamily family, double diameter);
 
+/// The size of a shaft of this outer diameter (metres): the nearest metric one, or the unified one that is drawn with
+/// this diameter if the metric one is not.
+const ThreadSize& usualThreadSize(double diameter);
+
 /// The pitches of metric threads of an outer diameter: those of its size, within 4 %, and the fine pitches of ISO 261
 /// for large diameters, if the diameter is a nominal one within 0.1 mm. Metres; the largest first.
 std::vector<double> metricPitches(double diameter);

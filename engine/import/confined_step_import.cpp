@@ -195,8 +195,9 @@ class AssemblyMessage {
   void addShape(const StepSolid& solid, const StepAssembly& assembly) {
     const auto& [rigid, scale, mirrored] = solid.placement;
     const StepTessellation* held = assembly.standIns.of(solid.shape);
-    shapes_.push_back(held != nullptr ? trianglesOf(*held, scale, mirrored)
-                                      : tessellate(solid.shape, fineness_.of(solid), scale, mirrored));
+    shapes_.push_back(held != nullptr
+                          ? trianglesOf(*held, scale, mirrored)
+                          : tessellate(solid.shape, fineness_.of(solid), assembly.faceEntities, scale, mirrored));
     if (isSewn_) joinRounded(shapes_.back().vertices);
     const std::string& part = solid.path.empty() ? rootName_ : solid.path;
     solids_.push_back({part, measuresOf(shapes_.back())});

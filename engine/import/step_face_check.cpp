@@ -1,5 +1,7 @@
 #include "engine/import/step_face_check.h"
 
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepTools_WireExplorer.hxx>
 #include <BRep_Tool.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
 #include <Poly_Triangulation.hxx>
@@ -9,6 +11,8 @@
 #include <TopoDS_Edge.hxx>
 #include <algorithm>
 #include <cmath>
+#include <gp_Pnt2d.hxx>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -92,6 +96,28 @@ FaceFault faultOf(const TopoDS_Face& face) {
   std::vector<Side> boundary;
   if (!boundarySides(face, mesh, location, boundary) || freeSides(*mesh) != boundary) return FaceFault::OpenBoundary;
   return mesh->HasUVNodes() && isFolded(*mesh) ? FaceFault::Folded : FaceFault::None;
+}
+
+bool isWound(const TopoDS_Face& face) {
+  const BRepAdaptor_Surface surface(face, false);
+  if (!surface.IsUPeriodic()) return false;
+  const double most = 0.5 * surface.UPeriod();
+  const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
+  for (TopExp_Explorer wire(forward, TopAbs_WIRE); wire.More(); wire.Next()) {
+    std::optional<double> first;
+    double before = 0.0;
+    for (BRepTools_WireExplorer at(TopoDS::Wire(wire.Current()), forward); at.More(); at.Next()) {
+      gp_Pnt2d from;
+      gp_Pnt2d to;
+      BRep_Tool::UVPoints(at.Current(), forward, from, to);
+      if (at.Current().Orientation() == TopAbs_REVERSED) std::swap(from, to);
+      if (first && std::abs(from.X() - before) > most) return true;
+      if (!first) first = from.X();
+      before = to.X();
+    }
+    if (first && std::abs(*first - before) > most) return true;
+  }
+  return false;
 }
 
 }  // namespace glissade

@@ -12,6 +12,9 @@
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <gp_Cylinder.hxx>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -23,6 +26,19 @@ namespace {
 
 constexpr std::size_t kMostPoints = 100'000;  ///< points of a face
 
+/// Removes the polygons of the face's edges on its triangles.
+void removeTriangles(const TopoDS_Face& face) {
+  TopLoc_Location location;
+  const Handle(Poly_Triangulation) old = BRep_Tool::Triangulation(face, location);
+  if (old.IsNull()) return;
+  const BRep_Builder builder;
+  for (TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next()) {
+    builder.UpdateEdge(TopoDS::Edge(edge.Current()), Handle(Poly_PolygonOnTriangulation)(), old, location);
+  }
+}
+
+TopoDS_Face forwardOf(const TopoDS_Face& face) { return TopoDS::Face(face.Oriented(TopAbs_FORWARD)); }
+
 /// An edge of the boundary as indices of the face's points.
 struct EdgeNodes {
   TopoDS_Edge edge;
@@ -32,14 +48,19 @@ struct EdgeNodes {
 
 class FaceMesher {
  public:
-  FaceMesher(const TopoDS_Face& face, double deflection, EdgePolygons& polygons)
-      : face_(TopoDS::Face(face.Oriented(TopAbs_FORWARD))),
+  /// `face`: not reversed. `isFlipped`: its triangles are clockwise in the parameters.
+  FaceMesher(const TopoDS_Face& face, double deflection, std::vector<FaceBoundary> boundaries, bool isFlipped = false)
+      : face_(face),
         surface_(face_, false),
         deflection_(deflection),
-        boundaries_(boundariesOf(face_, polygons)) {}
+        boundaries_(std::move(boundaries)),
+        isFlipped_(isFlipped) {}
 
   FaceMeshing run() {
-    if (boundaries_.empty()) return FaceMeshing::Failed;
+    const auto isClosed = [&](const FaceBoundary& each) { return isClosedInParameters(each, face_); };
+    if (boundaries_.empty() || !std::all_of(boundaries_.begin(), boundaries_.end(), isClosed)) {
+      return FaceMeshing::Failed;
+    }
     chooseScales();
     for (const FaceBoundary& boundary : boundaries_) addLoop(boundary);
     const auto loops = triangulateLoops(inPlane_, loops_);
@@ -49,7 +70,7 @@ class FaceMesher {
       mesh.makeDelaunay();
       refine(mesh);
     }
-    removeTriangles();
+    removeTriangles(face_);
     addTriangles(mesh);
     return loops->forced == 0 ? FaceMeshing::InParameters : FaceMeshing::BetweenPoints;
   }
@@ -135,16 +156,6 @@ class FaceMesher {
     }
   }
 
-  void removeTriangles() const {
-    TopLoc_Location location;
-    const Handle(Poly_Triangulation) old = BRep_Tool::Triangulation(face_, location);
-    if (old.IsNull()) return;
-    const BRep_Builder builder;
-    for (TopExp_Explorer edge(face_, TopAbs_EDGE); edge.More(); edge.Next()) {
-      builder.UpdateEdge(TopoDS::Edge(edge.Current()), Handle(Poly_PolygonOnTriangulation)(), old, location);
-    }
-  }
-
   void addTriangles(const PlaneMesh& mesh) const {
     const TopLoc_Location location = face_.Location();
     const gp_Trsf back = location.Transformation().Inverted();
@@ -160,7 +171,8 @@ class FaceMesher {
       triangles->SetUVNode(node, gp_Pnt2d(p.x() / scales_[0], p.y() / scales_[1]));
     }
     for (std::size_t i = 0; i < kept.size(); ++i) {
-      const auto [a, b, c] = kept[i];
+      auto [a, b, c] = kept[i];
+      if (isFlipped_) std::swap(b, c);
       triangles->SetTriangle(static_cast<int>(i) + 1,
                              Poly_Triangle(static_cast<int>(a) + 1, static_cast<int>(b) + 1, static_cast<int>(c) + 1));
     }
@@ -210,6 +222,7 @@ class FaceMesher {
   BRepAdaptor_Surface surface_;
   double deflection_;
   std::vector<FaceBoundary> boundaries_;
+  bool isFlipped_;
   std::array<double, 2> scales_{1.0, 1.0};
   std::vector<PlanePoint> inPlane_;  ///< points in the parameters; at first those of the boundaries
   std::vector<gp_Pnt> inSpace_;      ///< all points, in the frame of the shape
@@ -217,10 +230,57 @@ class FaceMesher {
   std::vector<EdgeNodes> edges_;
 };
 
+bool areOfOneCylinder(const TopoDS_Face& face, const TopoDS_Face& otherFace) {
+  constexpr double kSame = 1e-6;  // millimetres
+  const BRepAdaptor_Surface one(face, false);
+  const BRepAdaptor_Surface other(otherFace, false);
+  if (one.GetType() != GeomAbs_Cylinder || other.GetType() != GeomAbs_Cylinder) return false;
+  const gp_Cylinder a = one.Cylinder();
+  const gp_Cylinder b = other.Cylinder();
+  return a.Direct() == b.Direct() && std::abs(a.Radius() - b.Radius()) <= kSame &&
+         a.Axis().IsCoaxial(b.Axis(), kSame, kSame) && a.Axis().Direction().Dot(b.Axis().Direction()) > 0.0;
+}
+
+/// The orientation of the other faces of the cylinder, in which OpenCASCADE leaves a face whose boundary encloses
+/// nothing alone by chance; nothing if there are none.
+std::optional<TopAbs_Orientation> orientationOnCylinder(const TopoDS_Face& face, const TopoDS_Shape& beside) {
+  for (TopExp_Explorer at(beside, TopAbs_FACE); at.More(); at.Next()) {
+    if (areOfOneCylinder(face, TopoDS::Face(at.Current()))) return at.Current().Orientation();
+  }
+  return std::nullopt;
+}
+
+/// The band that two boundaries of one cylinder enclose. `isFlipped`: the faces have the wrong orientation.
+std::optional<FaceBoundary> bandOf(const TopoDS_Face& face, const TopoDS_Face& other, bool isFlipped,
+                                   EdgePolygons& polygons) {
+  std::vector<FaceBoundary> one = boundariesOf(face, polygons);
+  std::vector<FaceBoundary> two = boundariesOf(other, polygons);
+  if (one.size() != 1 || two.size() != 1) return std::nullopt;
+  auto band = joinedBoundary(std::move(one.front()), std::move(two.front()), face);
+  return band && isFlipped ? reversed(std::move(*band)) : band;
+}
+
 }  // namespace
 
 FaceMeshing meshFace(const TopoDS_Face& face, double deflection, EdgePolygons& polygons) {
-  return FaceMesher(face, deflection, polygons).run();
+  const TopoDS_Face forward = forwardOf(face);
+  return FaceMesher(forward, deflection, boundariesOf(forward, polygons)).run();
+}
+
+bool meshTogether(const TopoDS_Face& face, const TopoDS_Face& other, const TopoDS_Shape& beside, double deflection,
+                  EdgePolygons& polygons) {
+  if (face.Orientation() != other.Orientation() || !areOfOneCylinder(face, other)) return false;
+  const TopoDS_Face forward = forwardOf(face);
+  const auto known = orientationOnCylinder(face, beside);
+  for (const bool isFlipped : {false, true}) {
+    if (known && isFlipped != (*known != face.Orientation())) continue;
+    auto band = bandOf(forward, forwardOf(other), isFlipped, polygons);
+    if (!band || FaceMesher(forward, deflection, {std::move(*band)}, isFlipped).run() == FaceMeshing::Failed) continue;
+    removeTriangles(other);
+    BRep_Builder().UpdateFace(other, Handle(Poly_Triangulation)());
+    return true;
+  }
+  return false;
 }
 
 }  // namespace glissade

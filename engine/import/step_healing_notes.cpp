@@ -37,6 +37,7 @@ CatalogueText faultText(FaceFault fault) {
   switch (fault) {
     case FaceFault::NoTriangles: return GLISSADE_TEXT("OpenCASCADE makes no triangles for it");
     case FaceFault::OpenBoundary: return GLISSADE_TEXT("OpenCASCADE's triangles leave its boundary open");
+    case FaceFault::Wound: return GLISSADE_TEXT("OpenCASCADE's triangles cross the body beside it");
     default: return GLISSADE_TEXT("OpenCASCADE's triangles overlap on it");
   }
 }
@@ -59,6 +60,10 @@ Message healingText(const HealedFace& healed) {
       return {GLISSADE_TEXT("%1, because its boundaries cross; it was triangulated between their points, within %2 mm "
                             "of its surface"),
               {fault, length}};
+    case FaceMeshing::WithOther:
+      return {GLISSADE_TEXT("%1, because its boundary encloses nothing alone; it was triangulated together with its "
+                            "neighbour on the same cylinder"),
+              {fault}};
     default: return {GLISSADE_TEXT("%1, and its boundaries cannot be triangulated"), {fault}};
   }
 }

@@ -6,8 +6,14 @@
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "engine/import/import_protocol.h"
 
@@ -64,6 +70,58 @@ bool hasNoThickness(const StepTriangles& triangles) {
   return area > 0.0 && std::abs(volume) <= kNone * area * std::sqrt(area);
 }
 
+/// The corners of each triangle as numbers that are equal for equal points.
+std::vector<std::array<std::size_t, 3>> weldedCorners(const StepTriangles& triangles) {
+  std::map<std::array<double, 3>, std::size_t> numbers;
+  std::vector<std::array<std::size_t, 3>> all(triangles.indices.size() / 3);
+  for (std::size_t i = 0; i < triangles.indices.size(); ++i) {
+    const double* at = &triangles.vertices[std::size_t{3} * triangles.indices[i]];
+    all[i / 3][i % 3] = numbers.try_emplace({at[0], at[1], at[2]}, numbers.size()).first->second;
+  }
+  return all;
+}
+
+/// The entities of the faces at which the triangles are open.
+std::set<std::string> openFaces(const StepTriangles& triangles) {
+  using Sides = std::map<std::pair<std::size_t, std::size_t>, int>;
+  const auto corners = weldedCorners(triangles);
+  Sides uses;  // how much more often a side is used upwards than downwards
+  const auto forSides = [](const std::array<std::size_t, 3>& triangle, const auto& take) {
+    for (std::size_t i = 0; i < 3; ++i) take(triangle[i], triangle[(i + 1) % 3]);
+  };
+  for (const auto& triangle : corners) {
+    forSides(triangle, [&](std::size_t from, std::size_t to) {
+      if (from != to) uses[std::minmax(from, to)] += from < to ? 1 : -1;
+    });
+  }
+  std::set<std::string> entities;
+  std::size_t triangle = 0;
+  for (std::size_t face = 0; face < triangles.faces.size(); ++face) {
+    for (const std::size_t end = triangle + triangles.faces[face].triangles; triangle < end; ++triangle) {
+      forSides(corners[triangle], [&](std::size_t from, std::size_t to) {
+        if (from != to && uses[std::minmax(from, to)] != 0) entities.insert(triangles.entities[face]);
+      });
+    }
+  }
+  return entities;
+}
+
+/// Names the faces at which a solid is open, if none of its faces is said to have no triangles.
+StepNotes openNotes(const StepTriangles& triangles, const std::string& part) {
+  constexpr std::size_t kMostNames = 5;
+  const bool isSaid = std::any_of(triangles.healed.begin(), triangles.healed.end(),
+                                  [](const HealedFace& face) { return face.meshing == FaceMeshing::Failed; });
+  const std::set<std::string> faces = isSaid ? std::set<std::string>() : openFaces(triangles);
+  if (faces.empty()) return {};
+  std::string names;
+  for (const std::string& face :
+       std::vector(faces.begin(), std::next(faces.begin(), std::min(kMostNames, faces.size()))))
+    names += (names.empty() ? "" : ", ") + face;
+  if (faces.size() > kMostNames) names += ", …";
+  return {noteAbout(protocol::kLossLine, part,
+                    {GLISSADE_TEXT("its triangles leave %1 {1|face|faces} open (%2)"), {faces.size(), names}})};
+}
+
 }  // namespace
 
 StepNotes shapeNotes(const TopoDS_Shape& shape, const StepTriangles& triangles, const std::string& part) {
@@ -74,7 +132,7 @@ StepNotes shapeNotes(const TopoDS_Shape& shape, const StepTriangles& triangles, 
                       {GLISSADE_TEXT("is no solid: its faces (%1) bound nothing, %2 of their edges are open"),
                        {facesOf(shape), open}})};
   }
-  if (!hasNoThickness(triangles)) return {};
+  if (!hasNoThickness(triangles)) return openNotes(triangles, part);
   return {noteAbout(protocol::kShapeLine, part, GLISSADE_TEXT("has no thickness: its faces enclose no volume"))};
 }
 

@@ -9,7 +9,8 @@
 
 namespace glissade {
 
-/// Notes about a part without an inside: faces that bound no solid, or a solid without thickness.
+/// Notes about a part without an inside: faces that bound no solid, a solid without thickness, or one whose triangles
+/// are open at some of its faces.
 /// `part` may be empty.
 StepNotes shapeNotes(const TopoDS_Shape& shape, const StepTriangles& triangles, const std::string& part);
 

@@ -35,7 +35,7 @@ protocol::Face recordOf(const SurfaceFace& face, int triangles) {
   return record;
 }
 
-void addFace(const TopoDS_Face& face, StepTriangles& triangles) {
+void addFace(const TopoDS_Face& face, const std::string& entity, StepTriangles& triangles) {
   TopLoc_Location location;
   const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(face, location);
   if (mesh.IsNull() || mesh->NbTriangles() == 0) {
@@ -58,12 +58,16 @@ void addFace(const TopoDS_Face& face, StepTriangles& triangles) {
     for (const int corner : {a, b, c}) triangles.indices.push_back(base + static_cast<std::uint32_t>(corner - 1));
   }
   triangles.faces.push_back(recordOf(measuredFace(face, mesh, placement), mesh->NbTriangles()));
+  triangles.entities.push_back(entity);
 }
 
-/// Slow; needed only for parts with healed faces.
+/// Slow; needed only for parts with healed faces. The volume of a face whose boundary encloses nothing is not known.
 void compareVolumes(const TopoDS_Shape& shape, StepTriangles& triangles) {
   constexpr double kAccuracy = 1e-4;
   if (triangles.healed.empty() || shape.ShapeType() != TopAbs_SOLID) return;
+  const bool isKnown = std::none_of(triangles.healed.begin(), triangles.healed.end(),
+                                    [](const HealedFace& face) { return face.meshing == FaceMeshing::WithOther; });
+  if (!isKnown) return;
   const TriangleMeasures measures = measuresOf(triangles);
   GProp_GProps exact;
   BRepGProp::VolumeProperties(shape, exact, kAccuracy);
@@ -108,11 +112,19 @@ Fineness scaled(const Fineness& fineness, double factor) {
 
 }  // namespace
 
-StepTriangles tessellate(const TopoDS_Shape& shape, const Fineness& fineness, double scale, bool mirrored) {
+StepTriangles tessellate(const TopoDS_Shape& shape, const Fineness& fineness, const FaceEntities& entities,
+                         double scale, bool mirrored) {
   StepTriangles triangles;
   triangles.healed = meshAndHeal(shape, scaled(fineness, kAsked / scale));
-  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
-    addFace(TopoDS::Face(face.Current()), triangles);
+  const auto isInOther = [&](const TopoDS_Shape& face) {
+    return std::any_of(triangles.healed.begin(), triangles.healed.end(), [&](const HealedFace& healed) {
+      return healed.meshing == FaceMeshing::WithOther && healed.face.IsSame(face);
+    });
+  };
+  for (TopExp_Explorer at(shape, TopAbs_FACE); at.More(); at.Next()) {
+    if (isInOther(at.Current())) continue;
+    const TopoDS_Face& face = TopoDS::Face(at.Current());
+    addFace(face, entities.nameOf(face), triangles);
   }
   for (const HealedFace& healed : triangles.healed) {
     if (healed.meshing == FaceMeshing::Failed && healed.fault != FaceFault::NoTriangles) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "engine/fits/fit_words.h"
 #include "engine/fits/named_joints.h"
 #include "engine/fits/threaded_parts.h"
 
@@ -11,30 +12,13 @@ namespace {
 
 using BodyPair = std::pair<std::size_t, std::size_t>;
 
-/// Pairs whose joint a person has dissolved or pressed out; the last statement about a pair counts.
-std::set<BodyPair> partedBy(const std::vector<JointEdit>& edits, const AssembledProduct& product) {
-  std::set<BodyPair> parted;
-  for (const JointEdit& edit : edits) {
-    const bool parts = edit.word == JointEdit::Word::Dissolved || edit.word == JointEdit::Word::PressedOut;
-    const auto body = product.indexOf(edit.key.body);
-    for (const std::string& id : edit.key.others) {
-      const auto other = product.indexOf(id);
-      if (!body || !other) continue;
-      const BodyPair pair = std::minmax(*body, *other);
-      parted.erase(pair);
-      if (parts) parted.insert(pair);
-    }
-  }
-  return parted;
-}
-
 }  // namespace
 
 ThreadDemands::ThreadDemands(const AssembledProduct& product, const ProductFits& fits, const SequenceDemands& demands,
                              const StopToken& stop)
     : product_(product) {
   if (demands.jointUse == JointUse::Off) return;
-  JudgedThreads judged(product);
+  JudgedThreads judged(product, partingsOf(demands.joints));
   for (std::size_t body = 0; body < product.bodies.size(); ++body) {
     std::map<std::size_t, std::vector<Fit>> byOther;
     for (const Fit& fit : fits.fitsOf(body)) byOther[fit.obstacle].push_back(fit);
@@ -42,10 +26,6 @@ ThreadDemands::ThreadDemands(const AssembledProduct& product, const ProductFits&
       Threads threads = judged.of(body, other, ofPair, stop);
       if (!threads.empty()) threads_[{body, other}] = std::move(threads);
     }
-  }
-  for (const auto& pair : partedBy(demands.joints, product)) {
-    threads_.erase(pair);
-    threads_.erase({pair.second, pair.first});
   }
 }
 

@@ -11564,6 +11564,22 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <source>You steer the object. The way of your hand is kept and certified, and the computer searches from it; at α = 1 the automatic planners finish the path.</source>
         <translation>Vous guidez l&apos;objet. Le trajet de votre main est conservé et certifié, et l&apos;ordinateur cherche à partir de lui&#xa0;; à α = 1, les planificateurs automatiques finissent le chemin.</translation>
     </message>
+    <message>
+        <source>Only the plan states this. State the conditions in the scenario.</source>
+        <translation>Seul le plan l&apos;indique. Énoncez les conditions dans le scénario.</translation>
+    </message>
+    <message>
+        <source>OpenCASCADE&apos;s triangles cross the body beside it</source>
+        <translation>les triangles d&apos;OpenCASCADE traversent le corps à côté d&apos;elle</translation>
+    </message>
+    <message>
+        <source>%1, because its boundary encloses nothing alone; it was triangulated together with its neighbour on the same cylinder</source>
+        <translation>%1, car son contour n&apos;entoure rien à lui seul&#xa0;; elle a été triangulée avec sa voisine sur le même cylindre</translation>
+    </message>
+    <message>
+        <source>its triangles leave %1 {1|face|faces} open (%2)</source>
+        <translation>ses triangles laissent %1 {1|face ouverte|faces ouvertes} (%2)</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>

@@ -777,6 +777,48 @@ TEST_F(Cli, PartsThatFitComeOutAndTheAllowanceIsStated) {
   EXPECT_EQ(run("plan " + made + " --fits auto").exitCode, 2);
 }
 
+/// Names and shapes make the nut a thread. What a person says of the joint counts for both commands.
+TEST_F(Cli, ABoltThatIsPulledThroughItsNutIsSaidByPlanAndCheck) {
+  const std::string made = (folder / "bolt.json").string();
+  const std::string path = (folder / "bolt.csv").string();
+  const std::string product = glissade::test::stepFile("bolt-and-nut.step");
+  ASSERT_EQ(run("new " + made + " --moves " + product + ":bolt --static " + product).exitCode, 0);
+  const auto saysBoth = [&] {
+    const Finished plan = run("plan " + made + " --strategy auto --out " + path);
+    EXPECT_EQ(plan.exitCode, 0) << plan.err;
+    const Finished check = run("check " + made + " " + path);
+    EXPECT_EQ(check.exitCode, 0) << check.out;
+    const bool planSays = plan.out.find("not for assembly") != std::string::npos;
+    EXPECT_EQ(check.out.find("not for assembly") != std::string::npos, planSays) << plan.out << check.out;
+    return planSays;
+  };
+  EXPECT_TRUE(saysBoth());
+  Json scenario = Json::parse(read(made));
+  const std::string nut = scenario["bodies"].back()["id"];
+  scenario.erase("checksum");
+  scenario["joints"] = {{{"kind", "nut"}, {"body", nut}, {"others", {"bolt"}}, {"word", "dissolved"}}};
+  std::ofstream(made) << scenario;
+  EXPECT_FALSE(saysBoth()) << "the joint is dissolved";
+  scenario.erase("joints");
+  scenario["sequence"]["joint_use"] = "off";
+  std::ofstream(made) << scenario;
+  EXPECT_FALSE(saysBoth()) << "no joints are used";
+}
+
+/// No standard thread has the pitch that is taken for a bolt of 254 mm, as in a file with wrong units: both commands
+/// ask for a person's word.
+TEST_F(Cli, WhatOnlyThePlanStatesIsAConditionOfSequenceAndCheck) {
+  const std::string product = glissade::test::stepFile("large-bolt-and-nut.step");
+  const std::string plan = (folder / "plan.json").string();
+  const Finished sequence = run("sequence " + product + " --out " + plan);
+  EXPECT_EQ(sequence.exitCode, 7) << sequence.out;
+  const Finished check = run("check " + product + " " + plan);
+  EXPECT_EQ(check.exitCode, 7) << check.out;
+  const std::string condition = "condition: the thread of 'nut' in 'bolt' has a pitch of 6 mm";
+  EXPECT_NE(sequence.out.find(condition), std::string::npos) << sequence.out;
+  EXPECT_NE(check.out.find(condition), std::string::npos) << check.out;
+}
+
 TEST_F(Cli, WhereNoPathIsFoundThoseThatHoldTheObjectAreNamed) {
   const std::string made = (folder / "bracket.json").string();
   const std::string product = glissade::test::stepFile("fits.step");

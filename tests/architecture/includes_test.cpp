@@ -56,7 +56,7 @@ const std::map<std::string, std::set<std::string>>& allowedModules() {
       {"geometry", {"base"}},
       {"model", {"base", "geometry"}},
       {"import", {"base", "geometry", "model"}},
-      {"evidence", {"base", "geometry"}},
+      {"evidence", {"base", "geometry", "model"}},
       {"check", {"base", "geometry", "model", "import", "evidence"}},
       {"places", {"base", "geometry", "model"}},
       {"collision", {"base", "geometry", "model", "evidence", "places"}},

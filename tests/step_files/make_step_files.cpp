@@ -4,18 +4,27 @@
 #include <BRepBuilderAPI_GTransform.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeSolid.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepGProp.hxx>
+#include <BRepLib.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
+#include <Geom2d_Line.hxx>
+#include <Geom_CylindricalSurface.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Writer.hxx>
 #include <Interface_Static.hxx>
@@ -28,19 +37,27 @@
 #include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <XCAFDoc_Area.hxx>
 #include <XCAFDoc_Centroid.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <XCAFDoc_Volume.hxx>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <gp_Ax2.hxx>
+#include <gp_Ax3.hxx>
 #include <gp_GTrsf.hxx>
 #include <gp_Pln.hxx>
+#include <gp_Pnt2d.hxx>
 #include <iostream>
 #include <iterator>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -110,6 +127,48 @@ TopoDS_Shape discWithThinRim() {
   const gp_Pnt middle(kDistance * std::cos(kAngle), kDistance * std::sin(kAngle), -1);
   return BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(20.0, 2.0).Shape(),
                          BRepPrimAPI_MakeCylinder(gp_Ax2(middle, gp_Dir(0, 0, 1), outwards), 2.0, 4.0).Shape());
+}
+
+/// The edge that is a line in the parameters of the wall: a helix, or a line along it.
+TopoDS_Edge edgeOn(const Handle(Geom_CylindricalSurface) & wall, const TopoDS_Vertex& from, double fromAngle,
+                   const TopoDS_Vertex& to, double toAngle) {
+  const gp_Pnt2d begin(fromAngle, BRep_Tool::Pnt(from).Z());
+  const gp_Pnt2d end(toAngle, BRep_Tool::Pnt(to).Z());
+  const Handle(Geom2d_Line) line = new Geom2d_Line(begin, gp_Dir2d(gp_Vec2d(begin, end)));
+  const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(line, wall, from, to, 0.0, begin.Distance(end));
+  BRepLib::BuildCurves3d(edge);
+  return edge;
+}
+
+TopoDS_Face faceOn(const Handle(Geom_CylindricalSurface) & wall, const std::array<TopoDS_Edge, 3>& edges) {
+  BRepBuilderAPI_MakeWire wire;
+  for (const TopoDS_Edge& edge : edges) wire.Add(edge);
+  TopoDS_Face face;
+  BRep_Builder builder;
+  builder.MakeFace(face, wall, 1e-7);
+  builder.Add(face, wire.Wire());
+  return face;
+}
+
+/// The crest of a thread as CAD systems write it: a band between two helices, as two faces that share a line. The
+/// boundary of each goes around the cylinder and encloses nothing alone.
+TopoDS_Shape woundBand() {
+  const Handle(Geom_CylindricalSurface) wall = new Geom_CylindricalSurface(gp_Ax3(), 5.0);
+  const auto vertex = [](double z) -> TopoDS_Vertex { return BRepBuilderAPI_MakeVertex(gp_Pnt(5, 0, z)); };
+  const TopoDS_Vertex upper = vertex(1.0);
+  const TopoDS_Vertex upperEnd = vertex(0.0);
+  const TopoDS_Vertex lower = vertex(0.75);
+  const TopoDS_Vertex lowerEnd = vertex(-0.25);
+  constexpr double kTurn = 2 * std::numbers::pi;
+  const TopoDS_Edge shared = edgeOn(wall, upperEnd, kTurn, lower, kTurn);
+  TopoDS_Shell shell;
+  BRep_Builder builder;
+  builder.MakeShell(shell);
+  builder.Add(shell, faceOn(wall, {TopoDS::Edge(edgeOn(wall, upper, 0, upperEnd, kTurn).Reversed()),
+                                   edgeOn(wall, upper, 0, lower, 0), TopoDS::Edge(shared.Reversed())}));
+  builder.Add(shell, faceOn(wall, {edgeOn(wall, lower, 0, lowerEnd, kTurn),
+                                   edgeOn(wall, lowerEnd, kTurn, upperEnd, kTurn), shared}));
+  return shell;
 }
 
 /// A document of products, written as one STEP file.
@@ -289,6 +348,33 @@ void writeRoundFits(const std::string& file) {
   product.write(file);
 }
 
+/// A hexagon of 16 mm about z, 8 mm high, from `bottom` up.
+TopoDS_Shape hexagonAt(double bottom) {
+  BRepBuilderAPI_MakePolygon outline;
+  for (int corner = 0; corner < 6; ++corner) {
+    const double angle = corner * std::numbers::pi / 3;
+    const double radius = 8 / std::cos(std::numbers::pi / 6);
+    outline.Add(gp_Pnt(radius * std::cos(angle), radius * std::sin(angle), bottom));
+  }
+  outline.Close();
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()), gp_Vec(0, 0, 8));
+}
+
+/// A bolt M10 through a plate, with a nut: all of their cylinders have 10 mm. `scale`: as in a file with wrong units.
+void writeBoltAndNut(const std::string& file, double scale) {
+  gp_Trsf larger;
+  larger.SetScale(gp_Pnt(), scale);
+  Product product;
+  const TDF_Label unit = product.assembly("unit");
+  const auto add = [&](const char* name, const TopoDS_Shape& shape) {
+    product.put(product.part(name, BRepBuilderAPI_Transform(shape, larger, true)), unit, at(0, 0, 0));
+  };
+  add("plate", BRepAlgoAPI_Cut(blockAt(0, 0, 0, 60, 60, 10), shaft(0, 0, -5, 5, 20)));
+  add("bolt", BRepAlgoAPI_Fuse(shaft(0, 0, -15, 5, 25), hexagonAt(10)));
+  add("nut", BRepAlgoAPI_Cut(hexagonAt(-8), shaft(0, 0, -10, 5, 20)));
+  product.write(file);
+}
+
 /// A plate and a unit of two plates, with the validation properties that OpenCASCADE measures. The stated volume of the
 /// plate is `share` of the true one, and its stated centroid deviates by `aside` mm.
 void writeValidated(const std::string& file, double share, double aside) {
@@ -408,10 +494,13 @@ void writeAll(const std::string& folder) {
   writePart(folder + "/faces.step", "faces", kindsOfFaces());
   writePart(folder + "/thin-rim.step", "disc", discWithThinRim());
   writeCountersunkRing(folder + "/box.step", folder + "/countersunk-ring.step");
+  writePart(folder + "/wound-band.step", "band", woundBand());
   writeAssembly(folder + "/unit.step");
   writeFits(folder + "/fits.step");
   writeCloseFits(folder + "/close-fits.step");
   writeRoundFits(folder + "/round-fits.step");
+  writeBoltAndNut(folder + "/bolt-and-nut.step", 1.0);
+  writeBoltAndNut(folder + "/large-bolt-and-nut.step", 25.4);
   writeValidated(folder + "/validated.step", 1.0, 0.0);
   writeValidated(folder + "/validated-wrong.step", 1.05, 1.0);
   writeOddShapes(folder + "/odd-shapes.step");

@@ -145,9 +145,23 @@ TEST(PlanVerdict, NutsLeaveTheirBoltFirstAndByTurningOnly) {
 }
 
 /// Nobody marks a thread and the cylinders are equal: the step's joint states that there is a thread.
-TEST(PlanVerdict, AJointOfTheStepIsAThread) {
+/// Names and shapes show that a nut is on a thread, whatever the plan says.
+TEST(PlanVerdict, ANutIsOnAThread) {
   AssembledProduct product = boltedPlate();
   product.fits.pairs.clear();
+  const AssemblyPlan plan = test::planOf(product, "plate");
+  ASSERT_EQ(plan.steps[0].method, "straight");
+  const check::StepVerdict step = judgePlan(plan, product, std::nullopt).steps[0];
+  EXPECT_FALSE(step.pulls.empty() && step.refusals.empty());
+}
+
+TEST(PlanVerdict, AJointOfTheStepIsAThread) {
+  const TriangleMesh collar = test::makeRing(test::kBoltRadius, 0.009, test::kNutLength, 48);
+  const AssembledProduct product =
+      test::productOf({test::partAt("plate", test::makeRing(0.006, 0.05, 0.006, 40), Pose::identity()),
+                       test::partAt("bolt", test::plainBolt(), Pose::identity()),
+                       test::partAt("collar", collar, Pose::translation({0.0, 0.0, 0.0075}))},
+                      true);
   AssemblyPlan plan = test::planOf(product, "plate");
   ASSERT_EQ(plan.steps[0].method, "straight");
   const auto isReported = [&] {
@@ -155,7 +169,7 @@ TEST(PlanVerdict, AJointOfTheStepIsAThread) {
     return !step.pulls.empty() || !step.refusals.empty();
   };
   EXPECT_FALSE(isReported());
-  const std::string other = plan.steps[0].body == "bolt" ? "nut" : "bolt";
+  const std::string other = plan.steps[0].body == "bolt" ? "collar" : "bolt";
   plan.steps[0].joints = {{JointKind::Pin, plan.steps[0].body, {other}}};
   EXPECT_FALSE(isReported());
   for (const JointKind kind : {JointKind::Nut, JointKind::Screw, JointKind::Thread}) {

@@ -9,6 +9,7 @@
 #include "engine/evidence/crests.h"
 #include "tests/engine/check/check_bodies.h"
 #include "tests/engine/fits/grooved_shafts.h"
+#include "tests/engine/fits/turned_parts.h"
 
 namespace glissade::check {
 namespace {
@@ -116,6 +117,28 @@ TEST(PulledThread, EqualCylindersAreAThreadWhereTheFileSaysSo) {
   EXPECT_EQ(parts.boltStays(turned(0.02 / kPitch), true), "");
 }
 
+/// What names and shapes say of a prism with a hole of 10 mm on a shaft as wide as it.
+bool isPulledNut(const std::string& name, double across, double height, const std::string& shaft = "") {
+  const PlacedBody rod = Parts::placed(test::rodMesh(0.005, 0.0, 0.03));
+  const PlacedBody nut =
+      Parts::placed(test::tubeMesh(test::circle(0.005), test::prism(across, 6), 0.01, 0.01 + height));
+  const bool isPulled = !pulledThread(commonThreads({nut, rod, 0.0, false, nullptr, name, shaft}), turned(0.0)).empty();
+  EXPECT_EQ(!pulledThread(commonThreads({rod, nut, 0.0, false, nullptr, shaft, name}), turned(0.0)).empty(), isPulled);
+  return isPulled;
+}
+
+TEST(PulledThread, ANutOnAShaftAsWideAsItsHoleIsAThread) {
+  EXPECT_TRUE(isPulledNut("", 0.016, 0.008)) << "the shape of a nut M10";
+  EXPECT_FALSE(isPulledNut("", 0.026, 0.008)) << "a hexagonal plate";
+  EXPECT_FALSE(isPulledNut("", 0.016, 0.05)) << "a column";
+  EXPECT_FALSE(isPulledNut("nut M8", 0.013, 0.008)) << "of another size than the shaft";
+  EXPECT_FALSE(isPulledNut("nut", 0.016, 0.008, "dowel pin")) << "a pin has no thread";
+  const Parts round(0.005);
+  EXPECT_EQ(round.boltStays(turned(0.0)), "") << "a washer";
+  const LeavingPair named{round.around, round.bolt, 0.0, false, nullptr, "round nut"};
+  EXPECT_NE(toString(pulledThread(commonThreads(named), turned(0.0))), "") << "by its name";
+}
+
 /// Fasteners as CAD systems place them: beside their holes by a part of the thread's depth.
 TEST(PulledThread, AxesBesideEachOtherAreAThreadWhileTheWallIsInTheShaft) {
   Parts parts(0.0042);
@@ -134,7 +157,7 @@ struct Relieved {
   const char* what;
   test::Relief relief;
   bool isThread;                     ///< it has to be turned
-  std::optional<double> size{};      ///< as a name states it
+  std::string name{};                ///< may state its size
   Vector3 beside = Vector3::Zero();  ///< where its axis is
 };
 
@@ -153,18 +176,18 @@ TEST(PulledThread, ModelledThreadsAreNotPulledAndOtherReliefsAre) {
         Relieved{"of two starts", helix(crest, root, 0.003, 2), true},
         Relieved{"of four starts, as a lead screw", helix(crest, root, 0.008, 4), true},
         Relieved{"of three starts, left-handed", helix(crest, root, -0.006, 3), true},
-        Relieved{"rings of a screw", rings(crest, root, 0.0015), true, 0.01},
+        Relieved{"rings of a screw", rings(crest, root, 0.0015), true, "screw M10x20"},
         Relieved{"rings", rings(crest, root, 0.0015), false}, Relieved{"barbs", barbs(crest, root, 0.003), false},
         Relieved{"a knurl along it", straightKnurl(crest, root, 24), false},
-        Relieved{"a knurl of a screw", straightKnurl(crest, root, 24), false, 0.01},
+        Relieved{"a knurl of a screw", straightKnurl(crest, root, 24), false, "screw M10x20"},
         Relieved{"a diamond knurl", diamondKnurl(crest, root, 0.008, 18), false},
         Relieved{"hammered in", helix(crest, root, 0.025, 6), false},
         Relieved{"a smooth dowel", smooth(0.00444), false},
         Relieved{"a groove for a ring", ringGroove(0.00444, root, -0.01, 0.002), false}}) {
     const TriangleMesh mesh = groovedShaft(each.relief, 0.02, crest, ShaftHead::Round, 240);
     const PlacedBody shaft = Parts::placed(transformed(mesh, Pose::translation(each.beside)));
-    const std::vector<CommonThread> out = commonThreads({shaft, boss, 0.0006, false, nullptr, each.size});
-    const std::vector<CommonThread> off = commonThreads({boss, shaft, 0.0006, false, nullptr, {}, each.size});
+    const std::vector<CommonThread> out = commonThreads({shaft, boss, 0.0006, false, nullptr, each.name});
+    const std::vector<CommonThread> off = commonThreads({boss, shaft, 0.0006, false, nullptr, {}, each.name});
     EXPECT_EQ(!pulledThread(out, turned(0.0)).empty(), each.isThread) << each.what;
     EXPECT_EQ(!pulledThread(off, turned(0.0)).empty(), each.isThread) << each.what;
   }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -89,6 +90,21 @@ TEST(StepHealing, PlanesWhoseBoundariesCrossAsPolygonsAreClosed) {
     EXPECT_THAT(toString(warning.location), HasSubstr("(plane) of 'disc'"));
     EXPECT_THAT(toString(warning.reason), HasSubstr("its boundaries cross"));
   }
+}
+
+/// Two faces of a cylinder that enclose a band only together. Triangles of one alone would cross the cylinder.
+TEST(StepHealing, FacesThatEncloseNothingAloneAreTriangulatedTogether) {
+  const StepProduct product = readSample("wound-band.step", 2e-5);
+  ASSERT_EQ(product.parts.size(), 1U);
+  const Occurrence& band = product.parts.front();
+  EXPECT_LE(band.deflection, 2.5e-5);
+  EXPECT_EQ(band.facesWithoutMesh, 0U);
+  const double height = 0.25e-3;
+  EXPECT_NEAR(surfaceAreaOf(*band.mesh), height * 2.0 * std::numbers::pi * 5e-3, 1e-8);
+  const auto isSaid = [](const Diagnostic& warning) {
+    return toString(warning.reason).find("together with its neighbour") != std::string::npos;
+  };
+  EXPECT_TRUE(std::any_of(product.warnings.begin(), product.warnings.end(), isSaid));
 }
 
 TEST(StepHealing, SaysTheSameTwice) {

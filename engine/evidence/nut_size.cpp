@@ -1,10 +1,10 @@
-#include "engine/fits/nut_size.h"
+#include "engine/evidence/nut_size.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace glissade {
+namespace glissade::evidence {
 namespace {
 
 constexpr std::array kNutFamilies{ThreadFamily::Metric, ThreadFamily::Unified};
@@ -24,33 +24,24 @@ constexpr double kLeastCore = 0.9;
 /// Limits of the ratio of a shaft's diameter to its nominal diameter.
 constexpr double kLeastNominal = 0.96;
 constexpr double kMostNominal = 1.02;
+/// Relative difference within which diameters of names are equal.
+constexpr double kNearDiameter = 0.03;
 
-/// Width of a regular prism; 0: it is none.
-double widthOf(const TurnedShape& nut) {
-  if (nut.sides == 6) return nut.drive.size;
-  double width = 0.0;
-  for (const AxialSlab& slab : nut.slabs) {
-    if (const auto across = acrossFlats(slab.farthest, nut.sides)) width = std::max(width, *across);
-  }
-  return width;
-}
-
-bool isNutOf(const ThreadSize& size, const TurnedShape& nut, double width) {
+bool isNutOf(const ThreadSize& size, const NutShape& nut) {
   const double hole = 2.0 * nut.hole;
-  return width >= kLeastWidth * size.acrossFlats && width <= kMostWidth * size.acrossFlats &&
-         nut.length() >= kLeastHeight * size.diameter && nut.length() <= kMostHeight * size.diameter &&
+  return nut.width >= kLeastWidth * size.acrossFlats && nut.width <= kMostWidth * size.acrossFlats &&
+         nut.height >= kLeastHeight * size.diameter && nut.height <= kMostHeight * size.diameter &&
          hole >= size.diameter - kDeepestCore * size.usualPitch() && hole <= kMostHole * size.diameter;
 }
 
 }  // namespace
 
-std::vector<ThreadSize> nutSizes(const TurnedShape& nut) {
+std::vector<ThreadSize> nutSizes(const NutShape& nut) {
   std::vector<ThreadSize> sizes;
-  if (nut.kind != TurnedKind::Nut || nut.sides == 0) return sizes;
-  const double width = widthOf(nut);
+  if (nut.sides == 0) return sizes;
   for (const ThreadFamily family : kNutFamilies) {
     for (const ThreadSize& size : threadSizes(family)) {
-      if (size.acrossFlats > 0.0 && isNutOf(size, nut, width)) sizes.push_back(size);
+      if (size.acrossFlats > 0.0 && isNutOf(size, nut)) sizes.push_back(size);
     }
   }
   return sizes;
@@ -70,10 +61,20 @@ std::vector<ThreadSize> shaftSizes(double radius) {
   return nominal.empty() ? byCore : nominal;
 }
 
+std::vector<ThreadSize> sizesOf(double said, std::vector<ThreadSize> byShape) {
+  if (!(said > 0.0)) return byShape;
+  std::vector<ThreadSize> sizes;
+  for (const ThreadFamily family : kNutFamilies) {
+    const ThreadSize& nearest = nearestThreadSize(family, said);
+    if (std::abs(nearest.diameter - said) <= kNearDiameter * said) sizes.push_back(nearest);
+  }
+  return sizes;
+}
+
 bool haveOneSize(const std::vector<ThreadSize>& nut, const std::vector<ThreadSize>& shaft) {
   return std::any_of(nut.begin(), nut.end(), [&](const ThreadSize& one) {
     return std::any_of(shaft.begin(), shaft.end(), [&](const ThreadSize& other) { return one.name == other.name; });
   });
 }
 
-}  // namespace glissade
+}  // namespace glissade::evidence

@@ -1,4 +1,4 @@
-#include "engine/fits/designation.h"
+#include "engine/model/designation.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/fits/thread_pitch.h"
 #include "engine/geometry/thread_standards.h"
 
 namespace glissade {
@@ -502,7 +501,7 @@ std::optional<Designation> readPart(const std::string& name, bool* isUnknown) {
 std::optional<Designation> readDesignation(const std::string& name, bool* isUnknown) {
   auto found = readPart(name, isUnknown);
   if (!found || found->diameter <= 0.0 || !isLeftHanded(name)) return found;
-  const double pitch = found->pitch > 0.0 ? found->pitch : coarsePitch(0.5 * found->diameter).pitch;
+  const double pitch = found->pitch > 0.0 ? found->pitch : usualThreadSize(found->diameter).pitch;
   found->pitch = -pitch;
   found->text += " LH";
   return found;

@@ -1,4 +1,4 @@
-#include "engine/fits/designation.h"
+#include "engine/model/designation.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include "engine/base/enum_names.h"
 #include "engine/base/result.h"
-#include "engine/fits/joint.h"
+#include "engine/model/drive_kind.h"
 
 namespace glissade {
 

@@ -1,0 +1,42 @@
+#include "app/cli/plan_conditions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "engine/check/condition.h"
+#include "engine/check/standard_pitch.h"
+
+namespace glissade::cli {
+namespace {
+
+/// Adds the unusual pitches of the threads in which the steps turn.
+void addPitches(const std::vector<AssemblyStep>& steps, const std::vector<SubassemblyLine>& lines,
+                const AssembledProduct& product, std::vector<Message>& conditions) {
+  const auto nameOf = [&](const std::string& id) { return product.bodies[*product.indexOf(id)].shown(); };
+  for (const AssemblyStep& step : steps) {
+    const std::vector<std::string> moving = step.bodies();
+    for (const StepJoint& joint : step.joints) {
+      const double pitch = std::abs(joint.pitch);
+      if (joint.turns == 0.0 || joint.isPitchStated || check::isStandardPitch(joint.diameter, pitch)) continue;
+      const bool turns = std::find(moving.begin(), moving.end(), joint.body) != moving.end();
+      for (const std::string& other : joint.others) {
+        const auto& [mover, fixed] = turns ? std::tie(joint.body, other) : std::tie(other, joint.body);
+        conditions.push_back(check::hasPitch(nameOf(mover), nameOf(fixed), pitch, joint.diameter).text);
+      }
+    }
+  }
+  for (const SubassemblyLine& line : lines) addPitches(line.steps, line.lines, product, conditions);
+}
+
+}  // namespace
+
+std::vector<Message> conditionsOf(const AssemblyPlan& plan, const AssembledProduct& product, const StatedUnits& units) {
+  std::vector<Message> conditions;
+  addPitches(plan.steps, plan.lines, product, conditions);
+  for (const auto& unit : units.leaving) conditions.push_back(check::areOneUnit(unit).text);
+  if (!units.base.empty()) conditions.push_back(check::areFixedAsBase(units.base).text);
+  return conditions;
+}
+
+}  // namespace glissade::cli

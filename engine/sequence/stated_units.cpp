@@ -1,0 +1,87 @@
+#include "engine/sequence/stated_units.h"
+
+#include <algorithm>
+
+#include "engine/evidence/units.h"
+#include "engine/sequence/order_rules.h"
+
+namespace glissade {
+namespace {
+
+using Ids = std::vector<std::string>;
+
+/// The units that a person states, bodies by id.
+std::vector<Ids> saidUnits(const std::vector<JointEdit>& words) {
+  std::vector<Ids> units;
+  for (const JointEdit& edit : words) {
+    const JointKind kind = edit.key.kind;
+    if (kind != JointKind::Insert && kind != JointKind::Permanent && kind != JointKind::Unit) continue;
+    Ids bodies{edit.key.body};
+    bodies.insert(bodies.end(), edit.key.others.begin(), edit.key.others.end());
+    std::erase(units, bodies);
+    if (edit.word == JointEdit::Word::Confirmed) units.push_back(std::move(bodies));
+  }
+  return units;
+}
+
+class StatedUnitFinder {
+ public:
+  StatedUnitFinder(const AssembledProduct& product, std::vector<Ids> said)
+      : product_(product), said_(std::move(said)) {}
+
+  void addSteps(const std::vector<AssemblyStep>& steps, const std::vector<SubassemblyLine>& lines) {
+    for (const AssemblyStep& step : steps) {
+      if (step.unit) add(step.bodies());
+    }
+    for (const SubassemblyLine& line : lines) {
+      add(line.staying);
+      addSteps(line.steps, line.lines);
+    }
+  }
+
+  bool isUnit(const Ids& ids) {
+    std::vector<evidence::Body> bodies;
+    for (const std::string& id : ids) bodies.push_back(product_.measured(*product_.indexOf(id)));
+    std::vector<const evidence::Body*> all;
+    for (const evidence::Body& body : bodies) all.push_back(&body);
+    return ids.size() < 2 || evidence::areOneUnit(all, said_, placed_);
+  }
+
+  Ids namesOf(const Ids& ids) const {
+    Ids names;
+    for (const std::string& id : ids) names.push_back(product_.bodies[*product_.indexOf(id)].shown());
+    return names;
+  }
+
+  std::vector<Ids> take() { return std::move(found_); }
+
+ private:
+  void add(const Ids& ids) {
+    if (!isUnit(ids)) found_.push_back(namesOf(ids));
+  }
+
+  const AssembledProduct& product_;
+  std::vector<Ids> said_;
+  evidence::PlacedBodies placed_;
+  std::vector<Ids> found_;
+};
+
+}  // namespace
+
+StatedUnits statedUnitsOf(const AssemblyPlan& plan, const AssembledProduct& product,
+                          const std::vector<JointEdit>& words, const std::vector<std::string>& stay) {
+  StatedUnitFinder finder(product, saidUnits(words));
+  finder.addSteps(plan.steps, plan.lines);
+  BodySet isSaid(product.bodies.size(), false);
+  for (const std::string& name : stay) {
+    for (const std::size_t body : bodiesNamed(product, name)) isSaid[body] = true;
+  }
+  const bool isBaseSaid = std::all_of(plan.staying.begin(), plan.staying.end(),
+                                      [&](const std::string& id) { return isSaid[*product.indexOf(id)]; });
+  StatedUnits stated;
+  if (!isBaseSaid && !finder.isUnit(plan.staying)) stated.base = finder.namesOf(plan.staying);
+  stated.leaving = finder.take();
+  return stated;
+}
+
+}  // namespace glissade
