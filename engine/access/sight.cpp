@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "engine/access/surface_points.h"
+#include "engine/geometry/segment_box.h"
 
 namespace glissade {
 namespace {
@@ -15,22 +16,6 @@ constexpr int kAzimuths = 8;
 constexpr double kElevations[] = {0.0, 0.25 * std::numbers::pi};
 /// Share of the way from the eye to a point beyond which a body is at the point, and not in front of it.
 constexpr double kBefore = 1.0 - 1e-4;
-
-/// True if the segment meets the box.
-bool meets(const Box3& box, const Vector3& from, const Vector3& way) {
-  double enter = 0.0;
-  double leave = 1.0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double inverse = 1.0 / way[axis];
-    double one = (box.min()[axis] - from[axis]) * inverse;
-    double other = (box.max()[axis] - from[axis]) * inverse;
-    if (std::isnan(one) || std::isnan(other)) continue;  // the segment is along a side of the box
-    if (one > other) std::swap(one, other);
-    enter = std::max(enter, one);
-    leave = std::min(leave, other);
-  }
-  return enter <= leave;
-}
 
 }  // namespace
 
@@ -59,7 +44,7 @@ std::optional<std::size_t> Sight::hiding(const Vector3& eye, const Vector3& poin
                                          const std::vector<std::size_t>& others) const {
   for (const std::size_t body : others) {
     const Placed& placed = bodies_[body];
-    if (!meets(placed.box_W, eye, point - eye)) continue;
+    if (!segmentMeets(placed.box_W, eye, point - eye)) continue;
     const Vector3 origin = placed.X_BW * eye;
     if (placed.tree->firstHit(origin, placed.X_BW * point - origin, 0.0) < kBefore) return body;
   }

@@ -2609,6 +2609,13 @@
     </message>
 </context>
 <context>
+    <name>HandLead</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+</context>
+<context>
     <name>HeadsetQuestions</name>
     <message>
         <source>This dialog is in the window. Take the headset off to answer it.</source>
@@ -11885,6 +11892,57 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     </message>
 </context>
 <context>
+    <name>SteeringKeys</name>
+    <message>
+        <source>left</source>
+        <translation>gauche</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>droite</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>haut</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>bas</translation>
+    </message>
+    <message>
+        <source>away from you</source>
+        <translation>en s&apos;éloignant de vous</translation>
+    </message>
+    <message>
+        <source>towards you</source>
+        <translation>vers vous</translation>
+    </message>
+    <message>
+        <source>turn left</source>
+        <translation>tourner à gauche</translation>
+    </message>
+    <message>
+        <source>turn right</source>
+        <translation>tourner à droite</translation>
+    </message>
+    <message>
+        <source>tip back</source>
+        <translation>basculer en arrière</translation>
+    </message>
+    <message>
+        <source>tip forward</source>
+        <translation>basculer en avant</translation>
+    </message>
+    <message>
+        <source>roll left</source>
+        <translation>rouler à gauche</translation>
+    </message>
+    <message>
+        <source>roll right</source>
+        <translation>rouler à droite</translation>
+    </message>
+</context>
+<context>
     <name>Tour</name>
     <message>
         <source>Open a scenario</source>
@@ -12650,6 +12708,10 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>%1 takes your hand there.</source>
         <translation>%1 y conduit votre main.</translation>
+    </message>
+    <message>
+        <source>%1: next place.</source>
+        <translation>%1&#xa0;: endroit suivant.</translation>
     </message>
 </context>
 <context>
@@ -13775,6 +13837,10 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <source>A D W S Q E: move · J L I K U O: turn · Shift: slow · F: %1 · %2: camera · %3: help</source>
         <translation>A D W S Q E&#xa0;: déplacer · J L I K U O&#xa0;: tourner · Maj&#xa0;: lent · F&#xa0;: %1 · %2&#xa0;: caméra · %3&#xa0;: aide</translation>
     </message>
+    <message>
+        <source>Hold %1</source>
+        <translation>Maintenez %1</translation>
+    </message>
 </context>
 <context>
     <name>glissade::HeadController</name>
@@ -14468,30 +14534,6 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
 </context>
 <context>
     <name>glissade::KeyboardSteering</name>
-    <message>
-        <source>left, right</source>
-        <translation>gauche, droite</translation>
-    </message>
-    <message>
-        <source>up, down</source>
-        <translation>haut, bas</translation>
-    </message>
-    <message>
-        <source>away from you, towards you</source>
-        <translation>en s&apos;éloignant de vous, vers vous</translation>
-    </message>
-    <message>
-        <source>turn left, turn right</source>
-        <translation>tourner à gauche, à droite</translation>
-    </message>
-    <message>
-        <source>tip back, tip forward</source>
-        <translation>basculer en arrière, en avant</translation>
-    </message>
-    <message>
-        <source>roll left, roll right</source>
-        <translation>rouler à gauche, à droite</translation>
-    </message>
     <message>
         <source>Shift</source>
         <translation>Maj</translation>

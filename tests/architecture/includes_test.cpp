@@ -275,7 +275,7 @@ const std::map<std::string, std::set<std::string>>& interfacesOfFeatures() {
         "run/refusal_controller.h", "section/section_controller.h", "sequence/sequence_controller.h"}},
       {"help", {"devices/keyboard_steering.h", "files/sample_scenarios.h", "paths/kept_paths_panel.h"}},
       {"paths", {"film/film_dialog.h", "film/film_job.h", "instruction/report_file.h"}},
-      {"run", {"files/file_controller.h", "places/rules_dialog.h"}},
+      {"run", {"devices/steering_keys.h", "files/file_controller.h", "places/rules_dialog.h"}},
       {"section", {"measure/measure_controller.h"}},
       {"sequence",
        {"film/film_dialog.h", "film/film_job.h", "instruction/instruction_painter.h", "instruction/report_file.h",

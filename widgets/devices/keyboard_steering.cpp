@@ -2,36 +2,16 @@
 
 #include <QKeyEvent>
 
-#include <array>
+#include "widgets/devices/steering_keys.h"
 
 namespace glissade {
 namespace {
 
 constexpr double kSlow = 0.25;
 
-/// The axis of the view that a key deflects: 0-2 translation x y z, 3-5 rotation x y z.
-struct KeyAxis {
-  int key;
-  std::size_t axis;
-  double direction;
-};
-
-constexpr std::array<KeyAxis, 12> kKeys{{{Qt::Key_A, 0, -1},
-                                         {Qt::Key_D, 0, 1},
-                                         {Qt::Key_S, 1, -1},
-                                         {Qt::Key_W, 1, 1},
-                                         {Qt::Key_Q, 2, -1},
-                                         {Qt::Key_E, 2, 1},
-                                         {Qt::Key_K, 3, 1},
-                                         {Qt::Key_I, 3, -1},
-                                         {Qt::Key_J, 4, -1},
-                                         {Qt::Key_L, 4, 1},
-                                         {Qt::Key_U, 5, 1},
-                                         {Qt::Key_O, 5, -1}}};
-
 bool steers(int key) {
-  for (const KeyAxis& entry : kKeys) {
-    if (entry.key == key) return true;
+  for (const SteeringKey& entry : steeringKeys()) {
+    if (entry.letter == key) return true;
   }
   return false;
 }
@@ -45,11 +25,13 @@ QString KeyboardSteering::keyTable() {
   const auto row = [](const QString& keys, const QString& meaning) {
     return QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>").arg(keys, meaning);
   };
-  return row(QStringLiteral("A  D"), tr("left, right")) + row(QStringLiteral("W  S"), tr("up, down")) +
-         row(QStringLiteral("Q  E"), tr("away from you, towards you")) +
-         row(QStringLiteral("J  L"), tr("turn left, turn right")) +
-         row(QStringLiteral("I  K"), tr("tip back, tip forward")) +
-         row(QStringLiteral("U  O"), tr("roll left, roll right")) + row(tr("Shift"), tr("a quarter of the speed")) +
+  QString table;
+  const auto& keys = steeringKeys();
+  for (std::size_t i = 0; i < keys.size(); i += 2) {
+    const QString pair = QStringLiteral("%1  %2").arg(QLatin1Char(keys[i].letter)).arg(QLatin1Char(keys[i + 1].letter));
+    table += row(pair, motionText(keys[i]) + QStringLiteral(", ") + motionText(keys[i + 1]));
+  }
+  return table + row(tr("Shift"), tr("a quarter of the speed")) +
          row(QStringLiteral("F"), tr("axes of the view, of the world or of the object"));
 }
 
@@ -85,8 +67,8 @@ bool KeyboardSteering::eventFilter(QObject* watched, QEvent* event) {
 
 void KeyboardSteering::publish() {
   RawAxes axes{};
-  for (const KeyAxis& entry : kKeys) {
-    if (pressed_.contains(entry.key)) axes[entry.axis] += entry.direction * (slow_ ? kSlow : 1.0);
+  for (const SteeringKey& entry : steeringKeys()) {
+    if (pressed_.contains(entry.letter)) axes[entry.axis] += entry.direction * (slow_ ? kSlow : 1.0);
   }
   keys_.setAxes(axes);
 }

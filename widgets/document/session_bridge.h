@@ -60,6 +60,7 @@ class SessionBridge final : public QObject {
 
   void post(Command command);
   void setOperatorFrame(const OperatorFrame& frame);
+  const OperatorFrame& operatorFrame() const { return frame_; }
   /// The devices that the person at the window holds.
   const HandInputsPtr& hand() const { return hand_; }
 

@@ -29,6 +29,7 @@ osg::ref_ptr<osgUtil::SceneView> makeView(osg::GraphicsContext& context, osg::No
   view->setFrameStamp(new osg::FrameStamp);
   view->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
   view->setCullMask(~kWindowOnly);
+  view->getCamera()->setClearMask(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   // The draw buffer is one of a framebuffer object; OSG's default is an error there.
   view->setDrawBufferValue(GL_COLOR_ATTACHMENT0_EXT);
   view->setSceneData(scene);

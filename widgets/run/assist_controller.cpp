@@ -2,6 +2,7 @@
 
 #include "engine/base/number_text.h"
 #include "engine/operator/device_registry.h"
+#include "engine/operator/reachable_ahead.h"
 #include "engine/session/grown_roadmap.h"
 #include "widgets/controls/frame_name.h"
 #include "widgets/controls/length_text.h"
@@ -13,6 +14,11 @@ namespace {
 
 /// Seconds of planning before the first offer of help; each later offer waits twice as long.
 constexpr double kFirstOffer = 5.0;
+
+/// Distance of the pose ahead on a passage to which the hand is led, in radii of the object.
+constexpr double kAheadOnPassage = 0.5;
+/// Least time between two hints, milliseconds.
+constexpr int kHintPeriod = 100;
 
 /// The share of the work that searches a whole path; the rest searches gaps.
 constexpr double kWholeWay = 0.6;
@@ -49,22 +55,32 @@ void HandHint::ask(const QString& text) {
   write();
 }
 
+void HandHint::lead(const std::vector<KeyToHold>& keys) {
+  const QString motions = textOf(keys, isByKeys());
+  lead_ = motions.isEmpty() || !isByKeys() ? motions : tr("Hold %1").arg(motions);
+  write();
+}
+
 /// Writes the lines only if they changed; most snapshots change nothing.
 void HandHint::write() {
   QStringList lines;
-  if (!asked_.isEmpty()) lines << asked_;
-  if (const QString line = keys(); !line.isEmpty()) lines << line;
+  for (const QString& line : {asked_, lead_, keys()}) {
+    if (!line.isEmpty()) lines << line;
+  }
   const QString text = lines.join(QLatin1Char('\n'));
   if (text == shown_) return;
   shown_ = text;
   hint_->write(text);
 }
 
+bool HandHint::isByKeys() const {
+  const std::string& device = bench_.session.deviceId();
+  return device == kAnyDevice || device == "keyboard";
+}
+
 QString HandHint::keys() const {
   const SnapshotPtr& snapshot = bench_.run.snapshot();
-  const std::string& device = bench_.session.deviceId();
-  const bool byKeys = device == kAnyDevice || device == "keyboard";
-  if (!snapshot || !bench_.run.isLive() || !isRunning(*snapshot) || !byKeys) return {};
+  if (!snapshot || !bench_.run.isLive() || !isRunning(*snapshot) || !isByKeys()) return {};
   if (!bench_.actions["layer.keys"]->isChecked()) return {};
   const auto key = [this](const char* id) {
     return bench_.actions[QLatin1String(id)]->shortcut().toString(QKeySequence::NativeText);
@@ -78,6 +94,9 @@ AssistController::AssistController(const Workbench& bench) : QObject(&bench.wind
   bench.onAction("assist.go", this, [this] { go(); });
   bench.onAction("assist.show", this, [this] { find(Then::Show); });
   for (const char* id : {"assist.go", "assist.show"}) bench.enable(id, false);
+  lead_.setSingleShot(true);
+  lead_.setInterval(kHintPeriod);
+  connect(&lead_, &QTimer::timeout, this, &AssistController::lead);
   connect(&offers_, &BackgroundTask::failed, &bench.work, &WorkController::reportFailure);
   connect(&bench.run, &ShownRun::changed, this, &AssistController::followRun);
   connect(&bench.document, &WorkbenchDocument::changed, this, [this](Changes what) {
@@ -93,6 +112,8 @@ void AssistController::show(const HelpPlacesPtr& places) {
   places_ = places && !places->empty() ? places : nullptr;
   chosen_ = 0;
   taken_ = false;
+  sight_.reset();
+  object_.reset();
   draw();
 }
 
@@ -117,6 +138,11 @@ void AssistController::followRun(const SnapshotPtr& snapshot) {
   if (places_ && (!stuck || snapshot->run != run_)) show(nullptr);
   run_ = snapshot->run;
   if (stuck) offerInTime(*snapshot);
+  if (bench_.session.clock() == SessionClock::Lockstep) {
+    lead();
+  } else if (!lead_.isActive()) {
+    lead_.start();
+  }
 }
 
 void AssistController::offerInTime(const SessionSnapshot& snapshot) {
@@ -146,7 +172,14 @@ BackgroundTask::Work AssistController::search(Then then) {
   };
 }
 
-void AssistController::find(Then then) { bench_.work.run(tr("Looking for places to help"), search(then)); }
+/// A search under way is not begun anew by a person who asks again.
+void AssistController::find(Then then) {
+  if (!search_.expired()) return;
+  const auto underWay = std::make_shared<char>();
+  search_ = underWay;
+  bench_.work.run(tr("Looking for places to help"),
+                  [underWay, work = search(then)](const WorkWatch& watch) { return work(watch); });
+}
 
 /// Takes the hand to the chosen place, or to the next one if the hand was there already. After the last one it searches
 /// places again.
@@ -203,7 +236,27 @@ void AssistController::look() {
 void AssistController::draw() {
   bench_.scene.view().setHelp({places_, chosen_, taken_});
   hint_.ask(places_ ? hintText() : QString());
+  lead();
   bench_.scene.refresh();
+}
+
+/// Shows the next motion of a hand that was taken to a place whose passage is known.
+void AssistController::lead() {
+  std::optional<Pose> ahead;
+  std::vector<KeyToHold> keys;
+  if (places_ && taken_ && (*places_)[chosen_].lacking) {
+    const CollisionWorld& world = *bench_.document.scenario()->problem.world;
+    const double radius = world.objectRadius();
+    if (!sight_) sight_ = pointWorld(world)->makeQuery();
+    if (!object_) object_ = world.makeQuery();
+    const Pose& q = bench_.session.snapshot()->device.q_device;
+    const std::vector<Pose>& passage = (*places_)[chosen_].passage;
+    ahead = reachableAhead(passage, q, Se3Metric(radius), kAheadOnPassage * radius, *sight_, *object_);
+    const DeviceShaping shaping = bench_.session.hand()->keyboard.shaping.get();
+    if (ahead) keys = keysToHold(q, *ahead, shaping, bench_.session.operatorFrame(), radius);
+  }
+  bench_.scene.view().setHelpLead(ahead);
+  hint_.lead(keys);
 }
 
 QString AssistController::hintText() const {
@@ -220,8 +273,8 @@ QString AssistController::hintText() const {
     lack = tr("needs up to %1 more room.").arg(lengthText(*place.lacking));
   }
   const QString key = bench_.actions["assist.go"]->shortcut().toString(QKeySequence::NativeText);
-  const QString next =
-      taken_ ? tr("Lead it along the arrow; %1: next place.").arg(key) : tr("%1 takes your hand there.").arg(key);
+  QString next = tr("%1 takes your hand there.").arg(key);
+  if (taken_) next = (place.lacking ? tr("Lead it along the arrow; %1: next place.") : tr("%1: next place.")).arg(key);
   return which + QLatin1Char(' ') + lack + QLatin1Char(' ') + next;
 }
 

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <QTimer>
+
+#include "engine/collision/collision_query.h"
 #include "widgets/run/difficulty_panel.h"
+#include "widgets/run/hand_lead.h"
 #include "widgets/workbench/scene_hint.h"
 #include "widgets/workbench/workbench.h"
 
@@ -14,16 +18,19 @@ class HandHint final : public QObject {
  public:
   explicit HandHint(const Workbench& bench);
 
-  /// Shows a request to the person; empty: none.
+  /// Shows a request to the person, and the next motion of the hand; empty: none.
   void ask(const QString& text);
+  void lead(const std::vector<KeyToHold>& keys);
 
  private:
   void write();
+  bool isByKeys() const;
   QString keys() const;
 
   const Workbench& bench_;
   SceneHint* hint_;
   QString asked_;
+  QString lead_;
   QString shown_;
 };
 
@@ -57,18 +64,23 @@ class AssistController final : public QObject {
   void takeHand();
   void look();
   void draw();
+  void lead();
   QString hintText() const;
   void addCommands();
 
   const Workbench& bench_;
   HandHint hint_;
   BackgroundTask offers_;
-  HelpPlacesPtr places_;    ///< null: none is shown
-  std::size_t chosen_ = 0;  ///< index in places_
-  bool taken_ = false;      ///< the hand was taken to the chosen place
+  std::weak_ptr<char> search_;              ///< lives as long as a search that was asked for
+  HelpPlacesPtr places_;                    ///< null: none is shown
+  std::size_t chosen_ = 0;                  ///< index in places_
+  bool taken_ = false;                      ///< the hand was taken to the chosen place
+  std::unique_ptr<CollisionQuery> sight_;   ///< of pointWorld(); null until a hand is led
+  std::unique_ptr<CollisionQuery> object_;  ///< null until a hand is led
   bool starting_ = false;   ///< a run by hand starts; the hand is taken to the chosen place once it runs
   std::uint64_t run_ = 0;   ///< the run that is followed
   double nextOffer_ = 0.0;  ///< seconds of planning
+  QTimer lead_;             ///< leads the hand at the next timeout, so that people can read the hint
 };
 
 }  // namespace glissade

@@ -203,6 +203,7 @@ osg::ref_ptr<osg::MatrixTransform> makeMovedBody(const BodyShape& shape, const P
   osg::ref_ptr<osg::MatrixTransform> transform = makeBody(shape, X_WB, colour, DisplayMode::ShadedWithEdges, palette);
   transform->getChild(0)->getOrCreateStateSet()->setRenderBinDetails(kMovedBodyBin, "RenderBin");
   transform->addChild(hiddenSilhouetteOf(shape, colour, palette));
+  makeMarking(*transform);
   return transform;
 }
 

@@ -4,6 +4,7 @@
 #include <osg/Depth>
 #include <osg/LineWidth>
 #include <osg/Point>
+#include <osg/Stencil>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,7 @@ namespace glissade {
 namespace {
 
 constexpr int kDiscSegments = 48;
+constexpr int kMark = 1;  ///< in the stencil buffer
 
 void setOneColour(osg::Geometry& geometry, const osg::Vec4& colour) {
   auto* colours = new osg::Vec4Array;
@@ -146,6 +148,19 @@ void makeTransparent(osg::Node& node) {
   state->setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));
   state->setAttributeAndModes(new osg::Depth(osg::Depth::LESS, 0.0, 1.0, false));
   state->setRenderingHint(osg::StateSet::TRANSPARENT_BIN);
+}
+
+void makeMarking(osg::Node& node) {
+  osg::ref_ptr<osg::Stencil> stencil = new osg::Stencil;
+  stencil->setFunction(osg::Stencil::ALWAYS, kMark, ~0U);
+  stencil->setOperation(osg::Stencil::KEEP, osg::Stencil::KEEP, osg::Stencil::REPLACE);
+  node.getOrCreateStateSet()->setAttributeAndModes(stencil);
+}
+
+void makeAvoidMarks(osg::Node& node) {
+  osg::ref_ptr<osg::Stencil> stencil = new osg::Stencil;
+  stencil->setFunction(osg::Stencil::NOTEQUAL, kMark, ~0U);
+  node.getOrCreateStateSet()->setAttributeAndModes(stencil);
 }
 
 }  // namespace glissade

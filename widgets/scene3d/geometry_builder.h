@@ -50,6 +50,9 @@ void makeDrawing(osg::Node& node);
 void makeOverlay(osg::Node& node);
 /// Blends a see-through surface, which then hides nothing.
 void makeTransparent(osg::Node& node);
+/// Marks the pixels of the node, which nodes that avoid marks do not paint over.
+void makeMarking(osg::Node& node);
+void makeAvoidMarks(osg::Node& node);
 /// Switches lighting off, so that the colour is unchanged.
 void makeUnlit(osg::Node& node);
 

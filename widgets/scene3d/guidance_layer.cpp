@@ -22,39 +22,69 @@ constexpr double kHeadRadius = 0.05;
 constexpr double kHeadLength = 0.12;
 constexpr float kStrongestTint = 0.75F;  ///< share that keeps the object's own colour recognisable
 constexpr float kTints = 32.0F;          ///< number of tints: each new one is uploaded with the surface
+constexpr double kTurnRadius = 0.3;      ///< radius of a curved arrow
+constexpr double kTurnPiece = 0.2;       ///< angle of a straight piece of it, radians
+constexpr double kLeastTurn = 0.05;      ///< smaller turns are not shown, radians
 constexpr std::uint32_t kSegments = 24;
 
-/// An arrow from the origin along +z.
-TriangleMesh makeArrow(double length, double full) {
-  const double shaft = length - kHeadLength * full;
-  TriangleMesh arrow =
-      transformed(makeCylinder(kShaft * full, shaft, kSegments), Pose::translation({0.0, 0.0, 0.5 * shaft}));
+/// The head of an arrow from the origin along +z.
+TriangleMesh makeHead(double full) {
   TriangleMesh head;
-  head.vertices = {{0.0, 0.0, length}, {0.0, 0.0, shaft}};
+  head.vertices = {{0.0, 0.0, kHeadLength * full}, Vector3::Zero()};
   for (std::uint32_t i = 0; i < kSegments; ++i) {
     const double angle = 2.0 * EIGEN_PI * i / kSegments;
-    head.vertices.emplace_back(kHeadRadius * full * std::cos(angle), kHeadRadius * full * std::sin(angle), shaft);
+    head.vertices.emplace_back(kHeadRadius * full * std::cos(angle), kHeadRadius * full * std::sin(angle), 0.0);
     const std::uint32_t at = 2 + i;
     const std::uint32_t next = 2 + (i + 1) % kSegments;
     head.triangles.push_back({0, at, next});
     head.triangles.push_back({1, next, at});
   }
-  append(arrow, head);
+  return head;
+}
+
+/// A round bar from one point to another.
+TriangleMesh makeBar(const Vector3& from, const Vector3& to, double radius) {
+  const Pose X_WB{0.5 * (from + to), leastRotation(Vector3::UnitZ(), to - from)};
+  return transformed(makeCylinder(radius, (to - from).norm(), kSegments), X_WB);
+}
+
+/// An arrow from the origin along +z.
+TriangleMesh makeArrow(double length, double full) {
+  const double shaft = length - kHeadLength * full;
+  TriangleMesh arrow = makeBar(Vector3::Zero(), {0.0, 0.0, shaft}, kShaft * full);
+  append(arrow, transformed(makeHead(full), Pose::translation({0.0, 0.0, shaft})));
   return arrow;
 }
 
-/// An arrow that shows through bodies.
-osg::ref_ptr<osg::MatrixTransform> arrowAlong(const Vector3& from, const Vector3& way, double full,
-                                              const ScenePalette& palette) {
+/// An arrow about +z, which begins on +x.
+TriangleMesh makeTurnArrow(double angle, double full) {
+  const double radius = kTurnRadius * full;
+  const auto at = [radius](double turned) -> Vector3 {
+    return {radius * std::cos(turned), radius * std::sin(turned), 0.0};
+  };
+  const double shaft = angle - kHeadLength / kTurnRadius;
+  const int pieces = static_cast<int>(std::lround(shaft / kTurnPiece));
+  TriangleMesh arrow;
+  for (int i = 0; i < pieces; ++i) {
+    append(arrow, makeBar(at(shaft * i / pieces), at(shaft * (i + 1) / pieces), kShaft * full));
+  }
+  const Vector3 along(-std::sin(shaft), std::cos(shaft), 0.0);
+  append(arrow, transformed(makeHead(full), {at(shaft), leastRotation(Vector3::UnitZ(), along)}));
+  return arrow;
+}
+
+/// A mark whose z axis is this direction. It shows through bodies.
+osg::ref_ptr<osg::MatrixTransform> shownThrough(const TriangleMesh& mark, const Vector3& from, const Vector3& z_W,
+                                                const ScenePalette& palette) {
   osg::ref_ptr<osg::Geode> geode = new osg::Geode;
-  geode->addDrawable(makeFlatSurface(makeArrow(way.norm(), full), palette.guidance));
+  geode->addDrawable(makeFlatSurface(mark, palette.guidance));
   osg::StateSet* state = geode->getOrCreateStateSet();
   state->setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0.0, 1.0, false));
   state->setRenderBinDetails(20, "RenderBin");
-  const Pose X_WA{from, leastRotation(Vector3::UnitZ(), way)};
-  osg::ref_ptr<osg::MatrixTransform> arrow = new osg::MatrixTransform(toOsg(X_WA));
-  arrow->addChild(geode);
-  return arrow;
+  const Pose X_WA{from, leastRotation(Vector3::UnitZ(), z_W)};
+  osg::ref_ptr<osg::MatrixTransform> placed = new osg::MatrixTransform(toOsg(X_WA));
+  placed->addChild(geode);
+  return placed;
 }
 
 }  // namespace
@@ -70,15 +100,23 @@ osg::ref_ptr<osg::MatrixTransform> makeGuidance(const OperatorSample& device, co
   if (strength < kLeastForceShown) return nullptr;
   const double full = scale.length(kRadiiAtFull, kMostOfView);
   const double length = std::clamp(strength, kWeakest, 1.0) * full;
-  return arrowAlong(device.q_device.position, length / strength * force_W, full, palette);
+  return shownThrough(makeArrow(length, full), device.q_device.position, force_W, palette);
 }
 
-osg::ref_ptr<osg::MatrixTransform> makeGuideArrow(const Vector3& from, const Vector3& to, const MarkScale& scale,
-                                                  const ScenePalette& palette) {
-  const Vector3 way = to - from;
+osg::ref_ptr<osg::Group> makeGuideArrow(const Pose& from, const Pose& to, const MarkScale& scale,
+                                        const ScenePalette& palette) {
   const double full = scale.length(kRadiiAtFull, kMostOfView);
-  if (way.norm() < kHeadLength * full) return nullptr;
-  return arrowAlong(from, std::min(1.0, full / way.norm()) * way, full, palette);
+  const Vector3 way = to.position - from.position;
+  const Vector3 turn = rotationVector(from.orientation, to.orientation);
+  osg::ref_ptr<osg::Group> arrows = new osg::Group;
+  if (way.norm() >= kHeadLength * full) {
+    arrows->addChild(shownThrough(makeArrow(std::min(full, way.norm()), full), from.position, way, palette));
+  }
+  if (turn.norm() >= kLeastTurn) {
+    const double shown = std::max(turn.norm(), kHeadLength / kTurnRadius);
+    arrows->addChild(shownThrough(makeTurnArrow(shown, full), from.position, turn, palette));
+  }
+  return arrows;
 }
 
 osg::Vec4 guidanceTint(const osg::Vec4& objectColour, float strength, const ScenePalette& palette) {

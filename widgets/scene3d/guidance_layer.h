@@ -17,10 +17,10 @@ float guidanceStrength(const Wrench& guidance);
 osg::ref_ptr<osg::MatrixTransform> makeGuidance(const OperatorSample& device, const MarkScale& scale,
                                                 const ScenePalette& palette);
 
-/// An arrow from one point towards another: as long as their distance, and no longer than at full strength. Null if the
-/// points are equal.
-osg::ref_ptr<osg::MatrixTransform> makeGuideArrow(const Vector3& from, const Vector3& to, const MarkScale& scale,
-                                                  const ScenePalette& palette);
+/// The motion from one pose to another: an arrow between their reference points, and a curved arrow about the axis of
+/// the turn. Neither is drawn where it would be shorter than its head.
+osg::ref_ptr<osg::Group> makeGuideArrow(const Pose& from, const Pose& to, const MarkScale& scale,
+                                        const ScenePalette& palette);
 
 /// The colour of an object that is guided with this strength.
 osg::Vec4 guidanceTint(const osg::Vec4& objectColour, float strength, const ScenePalette& palette);

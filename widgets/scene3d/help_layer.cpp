@@ -1,6 +1,5 @@
 #include "widgets/scene3d/help_layer.h"
 
-#include "engine/operator/guidance.h"
 #include "widgets/scene3d/body_layer.h"
 #include "widgets/scene3d/geometry_builder.h"
 #include "widgets/scene3d/guidance_layer.h"
@@ -10,8 +9,6 @@ namespace {
 
 constexpr float kPassageWidth = 3.0F;
 constexpr float kPlaceMark = 10.0F;
-/// Distance of the arrow's target ahead of the object, in radii of the object.
-constexpr double kAheadOnPassage = 0.5;
 
 }  // namespace
 
@@ -35,14 +32,6 @@ osg::ref_ptr<osg::Group> makeHelp(const HelpPicture& help, const LoadedScenario&
   makeOverlay(*marks);
   group->addChild(marks);
   return group;
-}
-
-osg::ref_ptr<osg::Group> makeHelpArrow(const HelpPicture& help, const Pose& q_device, double objectRadius,
-                                       CollisionQuery& sight, const MarkScale& scale, const ScenePalette& palette) {
-  if (!help.taken) return nullptr;
-  const std::vector<Pose>& passage = (*help.places)[help.chosen].passage;
-  const auto ahead = aheadInSight(passage, q_device, Se3Metric(objectRadius), kAheadOnPassage * objectRadius, sight);
-  return ahead ? makeGuideArrow(q_device.position, ahead->position, scale, palette) : nullptr;
 }
 
 std::vector<SceneLabel> helpLabels(const HelpPicture& help, double objectRadius) {

@@ -33,6 +33,7 @@ constexpr double kFadedShare = 0.12;
 RoadmapLayer::RoadmapLayer() : root_(new osg::Group), geode_(new osg::Geode), palette_(paletteOf(Theme::Light)) {
   root_->addChild(geode_);
   makeDrawing(*root_);
+  makeAvoidMarks(*root_);
   setPalette(palette_);
 }
 

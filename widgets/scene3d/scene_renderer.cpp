@@ -24,6 +24,7 @@ SceneRenderer::SceneRenderer(SceneView& view) : view_(view), viewer_(new osgView
   viewer_->setLightingMode(osg::View::NO_LIGHT);
   viewer_->getCamera()->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
   viewer_->getCamera()->setCullMask(~kHeadsetOnly);
+  viewer_->getCamera()->setClearMask(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   const osg::ref_ptr<osg::Group> lit = makeLights();
   lit->addChild(view.root());
   viewer_->setSceneData(lit);

@@ -77,7 +77,9 @@ void SceneView::rearrange(std::shared_ptr<const LoadedScenario> scenario) {
   impl_->shownStep.reset();
   impl_->difficulty.reset();
   impl_->help = {};
-  impl_->sight.reset();
+  impl_->helpLead.reset();
+  impl_->obstacleBoxes.clear();
+  impl_->beforeHand.clear();
   impl_->refusal.reset();
   impl_->measure = {};
   impl_->reach = {};
@@ -237,9 +239,17 @@ void SceneView::setDifficulty(std::shared_ptr<const Difficulty> difficulty) {
 void SceneView::setHelp(HelpPicture help) {
   const std::lock_guard lock(*impl_->graphMutex);
   impl_->help = std::move(help);
-  impl_->sight.reset();
   impl_->showHelp();
   impl_->showMarks();
+}
+
+void SceneView::setHelpLead(const std::optional<Pose>& to) {
+  if (to == impl_->helpLead) return;
+  const std::lock_guard lock(*impl_->graphMutex);
+  impl_->helpLead = to;
+  if (!impl_->scenario || !impl_->snapshot) return;
+  impl_->showMarks();
+  impl_->showBeforeHand();
 }
 
 void SceneView::setRefusal(std::shared_ptr<const EndConflicts> conflicts) {

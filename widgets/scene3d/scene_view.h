@@ -227,6 +227,8 @@ class SceneView {
   void setDifficulty(std::shared_ptr<const glissade::Difficulty> difficulty);
   /// Shows the hand where it can help.
   void setHelp(HelpPicture help);
+  /// Shows the motion from the hand to this pose, by arrows; nothing: none.
+  void setHelpLead(const std::optional<Pose>& to);
   /// Texts of the visible layers: names of places, costs of the graph.
   std::vector<SceneLabel> labels() const;
   /// The kinds of things that are drawn now besides the bodies, with their colours.

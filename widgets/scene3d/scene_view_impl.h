@@ -8,7 +8,7 @@
 #include <cmath>
 #include <functional>
 
-#include "engine/operator/guidance.h"
+#include "engine/geometry/segment_box.h"
 #include "engine/planning/path_spacing.h"
 #include "widgets/scene3d/backdrop.h"
 #include "widgets/scene3d/body_layer.h"
@@ -71,7 +71,9 @@ struct SceneView::Impl {
   std::shared_ptr<const Difficulty> difficulty;
   HelpPicture help;
   osg::ref_ptr<osg::Group> helpArrow = new osg::Group;  ///< in the layer of help
-  std::unique_ptr<CollisionQuery> sight;                ///< of pointWorld(); null until there is help
+  std::optional<Pose> helpLead;                         ///< pose to which the hand is led; nothing: no arrow
+  std::vector<Box3> obstacleBoxes;                      ///< while the hand is led, in the order of the obstacles
+  std::set<std::string> beforeHand;                     ///< obstacles that hide where the hand is led, by id
   std::shared_ptr<const EndConflicts> refusal;
   std::vector<KeptPathPicture> keptPaths;
   MeasurePicture measure;
@@ -208,15 +210,34 @@ struct SceneView::Impl {
     layer(SceneLayer::Help).addChild(helpArrow);
   }
 
-  /// Shows the arrow to the place to help while the hand is shown.
+  /// Shows where the hand is led while it is shown.
   void showHelpArrow(bool shown) {
     helpArrow->removeChildren(0, helpArrow->getNumChildren());
-    if (!help.places || !shown) return;
-    const CollisionWorld& world = *scenario->problem.world;
-    if (!sight) sight = pointWorld(world)->makeQuery();
-    const Pose& q = snapshot->device.q_device;
-    const auto arrow = makeHelpArrow(help, q, world.objectRadius(), *sight, markScale(), palette);
-    if (arrow) helpArrow->addChild(arrow);
+    if (!helpLead || !shown) return;
+    helpArrow->addChild(makeGuideArrow(snapshot->device.q_device, *helpLead, markScale(), palette));
+  }
+
+  /// Draws the obstacles see-through whose boxes are between the eye and the hand, or where it is led.
+  void showBeforeHand() {
+    std::set<std::string> before;
+    const auto meets = [this](const Box3& box, const Vector3& from, const Vector3& to) {
+      return segmentMeets(box, from, to - from);
+    };
+    const std::vector<RigidBody>& obstacles = scenario->obstacles;
+    if (!helpLead) obstacleBoxes.clear();
+    if (helpLead && obstacleBoxes.empty()) {
+      for (const RigidBody& body : obstacles) obstacleBoxes.push_back(boundingBox(*body.mesh, body.X_WB));
+    }
+    for (std::size_t i = 0; i < obstacleBoxes.size(); ++i) {
+      const Vector3& hand = snapshot->device.q_device.position;
+      const Vector3& lead = helpLead->position;
+      const Box3& box = obstacleBoxes[i];
+      const bool isBefore = meets(box, camera.eye(), hand) || meets(box, camera.eye(), lead) || meets(box, hand, lead);
+      if (isBefore) before.insert(obstacles[i].id);
+    }
+    if (before == beforeHand) return;
+    beforeHand = std::move(before);
+    showModes();
   }
 
   const TopologicalStep* stepShown(const CoarsePlan& plan) const {
@@ -230,7 +251,8 @@ struct SceneView::Impl {
   DisplayMode modeOf(const RigidBody& body) const {
     const auto own = ownModes.find(body.id);
     if (own != ownModes.end()) return own->second;
-    return mode != DisplayMode::Wireframe && showsSpace() ? DisplayMode::SeeThrough : mode;
+    const bool isSeenThrough = showsSpace() || beforeHand.count(body.id) != 0;
+    return mode != DisplayMode::Wireframe && isSeenThrough ? DisplayMode::SeeThrough : mode;
   }
 
   /// Whether places or cells are shown. They lie behind obstacles and in their holes, so that opaque obstacles would

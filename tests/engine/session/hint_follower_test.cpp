@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "engine/base/random_stream.h"
+#include "engine/operator/reachable_ahead.h"
 #include "engine/operator/sliding_hand.h"
 #include "engine/planning/difficulty/help_places.h"
 #include "engine/session/grown_roadmap.h"
@@ -19,7 +20,10 @@ namespace {
 class NoviceAtTheKeys final : public OperatorDevice {
  public:
   NoviceAtTheKeys(const CollisionWorld& world, std::uint64_t seed)
-      : metric_(world.objectRadius()), sight_(pointWorld(world)->makeQuery()), random_(seed, "novice") {}
+      : metric_(world.objectRadius()),
+        sight_(pointWorld(world)->makeQuery()),
+        object_(world.makeQuery()),
+        random_(seed, "novice") {}
 
   /// Empty: there is no arrow, and the novice waits.
   void show(std::vector<Pose> passage) { passage_ = std::move(passage); }
@@ -58,7 +62,7 @@ class NoviceAtTheKeys final : public OperatorDevice {
 
   void choose(const Pose& q) {
     left_ = kReaction * random_.uniform(0.7, 1.5);
-    const auto target = aheadInSight(passage_, q, metric_, 0.5 * metric_.radius(), *sight_);
+    const auto target = reachableAhead(passage_, q, metric_, 0.5 * metric_.radius(), *sight_, *object_);
     if (!target) return;
     if (metric_.distance(*target, before_) > 0.02 * metric_.radius()) {
       before_ = *target;
@@ -76,6 +80,7 @@ class NoviceAtTheKeys final : public OperatorDevice {
 
   Se3Metric metric_;
   std::unique_ptr<CollisionQuery> sight_;
+  std::unique_ptr<CollisionQuery> object_;
   RandomStream random_;
   std::vector<Pose> passage_;
   Twist keys_;

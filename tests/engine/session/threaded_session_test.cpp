@@ -75,6 +75,8 @@ TEST(ThreadedSession, ASimulatedOperatorRestsOnceTheRunHasEnded) {
   const std::uint64_t moves = session->snapshot()->device.moves;
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
   EXPECT_EQ(session->snapshot()->device.moves, moves);
+  // At full speed this run may end before the operator's first tick.
+  session->post(command::SetParameter{ParameterId::Pace, 1.0});
   session->post(command::Start{});
   EXPECT_TRUE(waitFor(*session, [&](const auto& s) { return s.device.moves > moves; })) << "back to the start";
 }

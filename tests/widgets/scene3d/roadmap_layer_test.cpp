@@ -1,9 +1,13 @@
 #include "widgets/scene3d/roadmap_layer.h"
 
 #include <gtest/gtest.h>
+#include <osg/Stencil>
 
 #include <algorithm>
 #include <cmath>
+
+#include "engine/geometry/primitives.h"
+#include "widgets/scene3d/body_layer.h"
 
 namespace glissade {
 namespace {
@@ -128,6 +132,26 @@ TEST(RoadmapLayer, UploadsWhatIsNewOnly) {
   const std::size_t uploads = layer.uploads();
   layer.update(snapshot);
   EXPECT_EQ(layer.uploads(), uploads);
+}
+
+const osg::Stencil* stencilOf(const osg::Node& node) {
+  const osg::StateSet* state = node.getStateSet();
+  return state == nullptr ? nullptr
+                          : static_cast<const osg::Stencil*>(state->getAttribute(osg::StateAttribute::STENCIL));
+}
+
+TEST(RoadmapLayer, ItsNodesDoNotHideTheObject) {
+  const RoadmapLayer layer;
+  BodyShapes shapes;
+  const auto cube = std::make_shared<const TriangleMesh>(makeBox({1.0, 1.0, 1.0}));
+  const ScenePalette palette = paletteOf(Theme::Light);
+  const auto object = makeMovedBody(shapes.of(cube), Pose(), osg::Vec4(1.0F, 1.0F, 1.0F, 1.0F), palette);
+  const osg::Stencil* marks = stencilOf(*object);
+  const osg::Stencil* avoids = stencilOf(*layer.node());
+  ASSERT_TRUE(marks != nullptr && avoids != nullptr);
+  EXPECT_EQ(marks->getStencilPassAndDepthPassOperation(), osg::Stencil::REPLACE);
+  EXPECT_EQ(avoids->getFunction(), osg::Stencil::NOTEQUAL);
+  EXPECT_EQ(avoids->getFunctionRef(), marks->getFunctionRef());
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/operator/reachable_ahead.h"
 #include "tests/engine/support/forbidden_boxes.h"
 #include "tests/engine/support/random_pose.h"
 #include "tests/engine/support/test_worlds.h"
@@ -113,6 +114,32 @@ TEST(AheadInSight, BehindAWallNothingIsInSight) {
   EXPECT_FALSE(aheadInSight(channel.way, Pose::translation({1.0, -1.5, 0.0}), metric, 0.5, *sight));
   // A hub's reference point may be in the axle that it turns on.
   EXPECT_TRUE(aheadInSight(channel.way, Pose::translation({1.0, -0.5, 0.0}), metric, 0.5, *sight));
+}
+
+/// The cube in the channel is turned, so that it gets around the corner in small steps only.
+TEST(ReachableAhead, TheObjectGetsThereOrSlides) {
+  const Channel channel;
+  const CollisionWorldPtr world = channel.world();
+  const auto sight = pointWorld(*world)->makeQuery();
+  const auto object = world->makeQuery();
+  const Se3Metric metric(world->objectRadius());
+  const auto isFree = [&](const Pose& from, const Pose& to) {
+    return object->checkMotion(from, to, 1e-6, SeekViolation::Any, {}).status == CertificateStatus::Certified;
+  };
+  RandomStream stream(1, "hands in the channel");
+  int nearer = 0;
+  for (int i = 0; i < 500; ++i) {
+    Pose q = Pose::translation({stream.uniform(0.0, 2.0), stream.uniform(-0.04, 0.04), 0.0});
+    q.orientation = fromRotationVector({0.0, 0.0, stream.uniform(-0.3, 0.3)});
+    if (object->collides(q)) continue;
+    const auto inSight = aheadInSight(channel.way, q, metric, 1.0, *sight);
+    const auto target = reachableAhead(channel.way, q, metric, 1.0, *sight, *object);
+    ASSERT_EQ(inSight.has_value(), target.has_value());
+    if (!target || *target == *inSight) continue;
+    EXPECT_TRUE(isFree(q, *target));
+    nearer += isFree(q, *inSight) ? 0 : 1;
+  }
+  EXPECT_GT(nearer, 50);
 }
 
 }  // namespace

@@ -1,0 +1,91 @@
+#include "widgets/run/hand_lead.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/geometry/se3_metric.h"
+#include "widgets/controls/length_text.h"
+
+namespace glissade {
+namespace {
+
+/// Shortest move and turn that are named, in radii of the object and in radians.
+constexpr double kLeastWay = 0.01;
+/// Share of the longest one below which another move or turn is left out.
+constexpr double kLeastShare = 0.3;
+constexpr std::size_t kFirstTurn = 3;  ///< axis
+
+bool isTurn(const SteeringKey& key) { return key.axis >= kFirstTurn; }
+
+/// Velocity of the object while only this key is held.
+Twist twistOf(const SteeringKey& key, const DeviceShaping& shaping, const OperatorFrame& frame) {
+  RawAxes raw{};
+  raw[key.axis] = key.direction;
+  DominantAxis dominant;
+  return toTwist(shape(shaping, raw, dominant), frame);
+}
+
+double along(const Vector3& way, const Vector3& velocity) {
+  const double speed = velocity.norm();
+  return speed > 0.0 ? way.dot(velocity) / speed : 0.0;
+}
+
+/// The keys of one kind whose motion is long enough, the longest first.
+void keepLongest(std::vector<KeyToHold>& keys, double least) {
+  const auto longer = [](const KeyToHold& a, const KeyToHold& b) { return a.way > b.way; };
+  std::stable_sort(keys.begin(), keys.end(), longer);
+  const double shortest = keys.empty() ? least : std::max(least, kLeastShare * keys.front().way);
+  const auto isShort = [shortest](const KeyToHold& key) { return key.way < shortest; };
+  keys.erase(std::find_if(keys.begin(), keys.end(), isShort), keys.end());
+}
+
+/// The number with its first digit only.
+double oneDigit(double value) {
+  const double unit = std::pow(10.0, std::floor(std::log10(value)));
+  return std::round(value / unit) * unit;
+}
+
+QString wayText(const KeyToHold& key) {
+  if (!isTurn(*key.key)) return lengthText(oneDigit(key.way));
+  return QLocale().toString(oneDigit(key.way * 180.0 / std::numbers::pi), 'g', 3) + QStringLiteral("°");
+}
+
+}  // namespace
+
+std::vector<KeyToHold> keysToHold(const Pose& from, const Pose& to, const DeviceShaping& shaping,
+                                  const OperatorFrame& frame, double objectRadius) {
+  const OperatorFrame shaped = shapedFrame(shaping, {from, frame, {}, 0, {}, {}});
+  const Vector3 move = to.position - from.position;
+  const Vector3 turn = rotationVector(from.orientation, to.orientation);
+  std::vector<KeyToHold> moves;
+  std::vector<KeyToHold> turns;
+  for (const SteeringKey& key : steeringKeys()) {
+    const Twist twist = twistOf(key, shaping, shaped);
+    moves.push_back({&key, along(move, twist.linear_W)});
+    turns.push_back({&key, along(turn, twist.angular_W)});
+  }
+  keepLongest(moves, kLeastWay * objectRadius);
+  keepLongest(turns, kLeastWay);
+  moves.insert(moves.end(), turns.begin(), turns.end());
+  return moves;
+}
+
+QString textOf(const std::vector<KeyToHold>& keys, bool withLetters) {
+  QStringList texts;
+  for (const KeyToHold& key : keys) {
+    const QString motion = motionText(*key.key) + QLatin1Char(' ') + wayText(key);
+    if (!withLetters) {
+      texts << motion;
+    } else {
+      texts << QCoreApplication::translate("HandLead", "%1: %2").arg(QLatin1Char(key.key->letter)).arg(motion);
+    }
+  }
+  return texts.join(QStringLiteral(" · "));
+}
+
+}  // namespace glissade
