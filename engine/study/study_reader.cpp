@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "engine/files/parameters_json.h"
 #include "engine/operator/device_registry.h"
 #include "engine/sequence/sequence_strategy.h"
 #include "engine/study/benchmarks/peer_planners.h"

@@ -24,7 +24,7 @@ TEST(ProductChanges, TheSameProductHasNone) {
 
 TEST(ProductChanges, EachKindIsFound) {
   const AssembledProduct before = test::lockedDrawer();
-  const Pose aside(Vector3(0.01, 0.0, 0.22), Quaternion(Eigen::AngleAxisd(0.3, Vector3::UnitZ())));
+  const Pose aside{Vector3(0.01, 0.0, 0.22), Quaternion(Eigen::AngleAxisd(0.3, Vector3::UnitZ()))};
   const AssembledProduct moved = with(before, "pin", boxBody("pin", {0.08, 0.08, 0.6}, aside));
   const ProductChanges ofMoved = changesBetween(before, moved);
   ASSERT_EQ(ofMoved.changed.size(), 1U);
