@@ -35,7 +35,7 @@ struct Length {
   bool operator==(const Length& other) const { return metres == other.metres; }
 };
 
-/// The depth of an overlap. A style without texts of lengths shows whole micrometres: a person accepts it as stated.
+/// The depth of an overlap, which is shown in whole micrometres, because a person accepts it as stated.
 struct Depth {
   double metres;
   bool operator==(const Depth& other) const { return metres == other.metres; }

@@ -17,9 +17,7 @@ std::string toString(const MessageArgument& argument, const MessageStyle& style)
                                [&](const Length& length) {
                                  return style.length ? style.length(length.metres) : inMillimetres(length.metres);
                                },
-                               [&](const Depth& depth) {
-                                 return style.length ? style.length(depth.metres) : depthInMillimetres(depth.metres);
-                               },
+                               [](const Depth& depth) { return depthInMillimetres(depth.metres); },
                                [&](const Message& message) { return glissade::toString(message, style); }},
                     argument.value);
 }

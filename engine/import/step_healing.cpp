@@ -85,7 +85,7 @@ std::vector<HealedFace> healFaces(const TopoDS_Shape& meshed, double deflection)
   for (TopExp_Explorer at(meshed, TopAbs_FACE); at.More(); at.Next()) {
     const TopoDS_Face& face = TopoDS::Face(at.Current());
     FaceFault fault = faultOf(face);
-    if (fault == FaceFault::None && isWound(face) && deflectionOf(face) > kFar * deflection) fault = FaceFault::Wound;
+    if (fault == FaceFault::None && deflectionOf(face) > kFar * deflection && isWound(face)) fault = FaceFault::Wound;
     if (fault == FaceFault::None) continue;
     faces.push_back({face, fault, FaceMeshing::Failed});
     TopLoc_Location location;

@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -70,38 +69,61 @@ bool hasNoThickness(const StepTriangles& triangles) {
   return area > 0.0 && std::abs(volume) <= kNone * area * std::sqrt(area);
 }
 
-/// The corners of each triangle as numbers that are equal for equal points.
-std::vector<std::array<std::size_t, 3>> weldedCorners(const StepTriangles& triangles) {
-  std::map<std::array<double, 3>, std::size_t> numbers;
-  std::vector<std::array<std::size_t, 3>> all(triangles.indices.size() / 3);
-  for (std::size_t i = 0; i < triangles.indices.size(); ++i) {
-    const double* at = &triangles.vertices[std::size_t{3} * triangles.indices[i]];
-    all[i / 3][i % 3] = numbers.try_emplace({at[0], at[1], at[2]}, numbers.size()).first->second;
+/// A side of a triangle, from the lesser to the greater corner.
+struct TriangleSide {
+  std::pair<std::size_t, std::size_t> corners;
+  int direction;     ///< 1: from the lesser corner on; -1: the other way
+  std::size_t face;  ///< index
+};
+
+/// The number of each vertex; equal points have one number.
+std::vector<std::size_t> weldedVertices(const StepTriangles& triangles) {
+  using Point = std::array<double, 3>;
+  const std::size_t count = triangles.vertices.size() / 3;
+  std::vector<std::pair<Point, std::size_t>> points(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double* at = &triangles.vertices[3 * i];
+    points[i] = {{at[0], at[1], at[2]}, i};
   }
-  return all;
+  std::sort(points.begin(), points.end());
+  std::vector<std::size_t> numbers(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool isSame = i > 0 && points[i].first == points[i - 1].first;
+    numbers[points[i].second] = isSame ? numbers[points[i - 1].second] : i;
+  }
+  return numbers;
+}
+
+std::vector<TriangleSide> sidesOf(const StepTriangles& triangles) {
+  const std::vector<std::size_t> numbers = weldedVertices(triangles);
+  std::vector<TriangleSide> sides;
+  sides.reserve(triangles.indices.size());
+  std::size_t triangle = 0;
+  for (std::size_t face = 0; face < triangles.faces.size(); ++face) {
+    for (const std::size_t end = triangle + triangles.faces[face].triangles; triangle < end; ++triangle) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t from = numbers[triangles.indices[3 * triangle + i]];
+        const std::size_t to = numbers[triangles.indices[3 * triangle + (i + 1) % 3]];
+        if (from != to) sides.push_back({std::minmax(from, to), from < to ? 1 : -1, face});
+      }
+    }
+  }
+  return sides;
 }
 
 /// The entities of the faces at which the triangles are open.
 std::set<std::string> openFaces(const StepTriangles& triangles) {
-  using Sides = std::map<std::pair<std::size_t, std::size_t>, int>;
-  const auto corners = weldedCorners(triangles);
-  Sides uses;  // how much more often a side is used upwards than downwards
-  const auto forSides = [](const std::array<std::size_t, 3>& triangle, const auto& take) {
-    for (std::size_t i = 0; i < 3; ++i) take(triangle[i], triangle[(i + 1) % 3]);
-  };
-  for (const auto& triangle : corners) {
-    forSides(triangle, [&](std::size_t from, std::size_t to) {
-      if (from != to) uses[std::minmax(from, to)] += from < to ? 1 : -1;
-    });
-  }
+  std::vector<TriangleSide> sides = sidesOf(triangles);
+  std::sort(sides.begin(), sides.end(),
+            [](const TriangleSide& a, const TriangleSide& b) { return a.corners < b.corners; });
   std::set<std::string> entities;
-  std::size_t triangle = 0;
-  for (std::size_t face = 0; face < triangles.faces.size(); ++face) {
-    for (const std::size_t end = triangle + triangles.faces[face].triangles; triangle < end; ++triangle) {
-      forSides(corners[triangle], [&](std::size_t from, std::size_t to) {
-        if (from != to && uses[std::minmax(from, to)] != 0) entities.insert(triangles.entities[face]);
-      });
-    }
+  for (auto first = sides.begin(); first != sides.end();) {
+    const auto isOther = [&](const TriangleSide& side) { return side.corners != first->corners; };
+    const auto end = std::find_if(first, sides.end(), isOther);
+    int balance = 0;
+    for (auto side = first; side != end; ++side) balance += side->direction;
+    for (auto side = first; side != end && balance != 0; ++side) entities.insert(triangles.entities[side->face]);
+    first = end;
   }
   return entities;
 }

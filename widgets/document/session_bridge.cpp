@@ -1,10 +1,8 @@
 #include "widgets/document/session_bridge.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "engine/base/guarded.h"
-#include "engine/files/run_record.h"
 #include "engine/files/scenario_bodies.h"
 #include "engine/operator/device_registry.h"
 
@@ -57,34 +55,12 @@ ParameterValues carriedOver(const ParameterValues& values, double objectRadius) 
   return carried;
 }
 
-std::string problemWithoutNames(Scenario scenario) {
-  for (std::vector<BodyDescription>* bodies : {&scenario.object.bodies, &scenario.bodies}) {
-    for (BodyDescription& body : *bodies) body.name.clear();
-  }
-  return problemSha256(scenario);
-}
-
-bool allowSame(const Fit& a, const Fit& b) {
-  const auto pitch = [](const Fit& fit) { return fit.thread ? fit.thread->rule.pitch : 0.0; };
-  return a.object == b.object && a.obstacle == b.obstacle && a.allowance == b.allowance && pitch(a) == pitch(b);
-}
-
-/// Whether only names of bodies differ. A name may tell a joint, and so change what the fits allow.
-bool differInNames(const LoadedScenario& a, const LoadedScenario& b) {
-  const std::vector<Fit>& before = a.fits.allowed;
-  const std::vector<Fit>& after = b.fits.allowed;
-  return a.fitsPending == b.fitsPending &&
-         std::equal(before.begin(), before.end(), after.begin(), after.end(), allowSame) &&
-         problemWithoutNames(a.scenario) == problemWithoutNames(b.scenario);
-}
-
 }  // namespace
 
 void SessionBridge::rearrange(const ScenarioPtr& scenario) {
   const ScenarioPtr before = std::exchange(scenario_, scenario);
   edits_ = scenario->problem.scene.edits;
   knowledge_ = scenario->problem.scene.knowledge;
-  if (session_ && differInNames(*before, *scenario)) return;
   beginAnew([&] {
     keepPath(idOf(before->scenario.object));
     takeSettings();

@@ -133,22 +133,6 @@ TEST_P(Bridge, APathThatWasFoundGoesAlongAsFarAsItHolds) {
   EXPECT_FALSE(settled(*bridge.snapshot()));
 }
 
-TEST_P(Bridge, ARunOutlivesAnotherNameOfABody) {
-  const ScenarioPtr before = slidingPlane();
-  SessionBridge bridge(GetParam());
-  bridge.open(before);
-  bridge.setDevice("expert");
-  bridge.post(command::Start{});
-  ASSERT_TRUE(reach(bridge, SessionState::Solved));
-  const SnapshotPtr solved = bridge.snapshot();
-  Scenario renamed = before->scenario;
-  renamed.bodies.front().name = "renamed";
-  auto loaded = loadGeometry(renamed, folderOf(before->file), before->file, before->geometry);
-  bridge.rearrange(std::make_shared<const LoadedScenario>(std::move(*loaded)));
-  EXPECT_EQ(bridge.snapshot(), solved);
-  EXPECT_GT(bridge.snapshot()->counts.nodes, 0U);
-}
-
 TEST_P(Bridge, AnotherDeviceKeepsWhatTheUserHasSet) {
   SessionBridge bridge(GetParam());
   bridge.open(slidingPlane());
