@@ -1,5 +1,6 @@
 #include "widgets/product/scene_panel.h"
 
+#include <QEvent>
 #include <QHeaderView>
 #include <QLocale>
 #include <QSignalBlocker>

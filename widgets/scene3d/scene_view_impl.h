@@ -220,7 +220,7 @@ struct SceneView::Impl {
   /// Draws the obstacles see-through whose boxes are between the eye and the hand, or where it is led.
   void showBeforeHand() {
     std::set<std::string> before;
-    const auto meets = [this](const Box3& box, const Vector3& from, const Vector3& to) {
+    const auto meets = [](const Box3& box, const Vector3& from, const Vector3& to) {
       return segmentMeets(box, from, to - from);
     };
     const std::vector<RigidBody>& obstacles = scenario->obstacles;

@@ -17,14 +17,14 @@ Json finding() {
 
 Result<Study> parse(const Json& finding, bool quick = false) {
   Json study = test::tinyStudy();
-  study["findings"] = {finding};
+  study["findings"] = nlohmann::json::array({finding});
   return parseStudy(study.dump(), "study.json", quick);
 }
 
 TEST(Finding, IsReadAndWrittenBack) {
   const test::StudyFiles files([] {
     Json study = test::tinyStudy();
-    study["findings"] = {finding()};
+    study["findings"] = nlohmann::json::array({finding()});
     return study;
   }());
   Warnings warnings;
