@@ -8,7 +8,7 @@
 
 namespace glissade::cli {
 
-/// What a plan states itself and the judge makes a condition of, in the judge's words: bodies that only the plan calls
+/// The conditions of a plan in the judge's words. They are statements that the plan alone makes: bodies that it calls
 /// a unit, or its base, and pitches that no standard thread of that diameter has and no person states.
 std::vector<Message> conditionsOf(const AssemblyPlan& plan, const AssembledProduct& product, const StatedUnits& units);
 

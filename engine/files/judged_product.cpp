@@ -75,25 +75,16 @@ check::Step judgedStep(const AssemblyStep& step) {
 
 /// A person's statements about joints, in the order in which they were made.
 evidence::PartingWords partingsOf(const SequenceDemands& demands) {
-  evidence::PartingWords words;
+  evidence::PartingWords words = glissade::partingsOf(demands.joints);
   words.anyPair = demands.jointUse == JointUse::Off;
-  for (const JointEdit& edit : demands.joints) {
-    for (const std::string& other : edit.key.others) {
-      const std::pair<std::string, std::string> pair = std::minmax(edit.key.body, other);
-      std::erase(words.pairs, pair);
-      const bool parts = edit.word == JointEdit::Word::Dissolved || edit.word == JointEdit::Word::PressedOut;
-      if (parts) words.pairs.push_back(pair);
-    }
-  }
   return words;
 }
 
 check::JointWords jointWordsOf(const std::vector<JointEdit>& edits) {
   check::JointWords words;
+  words.units = unitsOf(edits);
   for (const JointEdit& edit : edits) {
     const bool isConfirmed = edit.word == JointEdit::Word::Confirmed;
-    std::vector<std::string> bodies{edit.key.body};
-    bodies.insert(bodies.end(), edit.key.others.begin(), edit.key.others.end());
     switch (edit.key.kind) {
       case JointKind::Flexible:
         std::erase(words.flexible, edit.key.body);
@@ -101,10 +92,7 @@ check::JointWords jointWordsOf(const std::vector<JointEdit>& edits) {
         break;
       case JointKind::Insert:
       case JointKind::Permanent:
-      case JointKind::Unit:
-        std::erase(words.units, bodies);
-        if (isConfirmed) words.units.push_back(bodies);
-        break;
+      case JointKind::Unit: break;
       default:
         if (!isConfirmed || !edit.made || !edit.made->thread) break;
         for (const std::string& other : edit.key.others) {

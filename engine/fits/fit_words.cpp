@@ -41,4 +41,17 @@ evidence::PartingWords partingsOf(const std::vector<JointEdit>& edits) {
   return words;
 }
 
+std::vector<std::vector<std::string>> unitsOf(const std::vector<JointEdit>& edits) {
+  std::vector<std::vector<std::string>> units;
+  for (const JointEdit& edit : edits) {
+    const JointKind kind = edit.key.kind;
+    if (kind != JointKind::Insert && kind != JointKind::Permanent && kind != JointKind::Unit) continue;
+    std::vector<std::string> bodies{edit.key.body};
+    bodies.insert(bodies.end(), edit.key.others.begin(), edit.key.others.end());
+    std::erase(units, bodies);
+    if (edit.word == JointEdit::Word::Confirmed) units.push_back(std::move(bodies));
+  }
+  return units;
+}
+
 }  // namespace glissade

@@ -19,4 +19,7 @@ evidence::FitWords wordsOf(const FitSettings& settings);
 /// pair counts.
 evidence::PartingWords partingsOf(const std::vector<JointEdit>& edits);
 
+/// The units that a person has confirmed, bodies by id; the last statement about the same bodies counts.
+std::vector<std::vector<std::string>> unitsOf(const std::vector<JointEdit>& edits);
+
 }  // namespace glissade

@@ -3,26 +3,13 @@
 #include <algorithm>
 
 #include "engine/evidence/units.h"
+#include "engine/fits/fit_words.h"
 #include "engine/sequence/order_rules.h"
 
 namespace glissade {
 namespace {
 
 using Ids = std::vector<std::string>;
-
-/// The units that a person states, bodies by id.
-std::vector<Ids> saidUnits(const std::vector<JointEdit>& words) {
-  std::vector<Ids> units;
-  for (const JointEdit& edit : words) {
-    const JointKind kind = edit.key.kind;
-    if (kind != JointKind::Insert && kind != JointKind::Permanent && kind != JointKind::Unit) continue;
-    Ids bodies{edit.key.body};
-    bodies.insert(bodies.end(), edit.key.others.begin(), edit.key.others.end());
-    std::erase(units, bodies);
-    if (edit.word == JointEdit::Word::Confirmed) units.push_back(std::move(bodies));
-  }
-  return units;
-}
 
 class StatedUnitFinder {
  public:
@@ -70,7 +57,7 @@ class StatedUnitFinder {
 
 StatedUnits statedUnitsOf(const AssemblyPlan& plan, const AssembledProduct& product,
                           const std::vector<JointEdit>& words, const std::vector<std::string>& stay) {
-  StatedUnitFinder finder(product, saidUnits(words));
+  StatedUnitFinder finder(product, unitsOf(words));
   finder.addSteps(plan.steps, plan.lines);
   BodySet isSaid(product.bodies.size(), false);
   for (const std::string& name : stay) {

@@ -117,7 +117,7 @@ TEST(PulledThread, EqualCylindersAreAThreadWhereTheFileSaysSo) {
   EXPECT_EQ(parts.boltStays(turned(0.02 / kPitch), true), "");
 }
 
-/// What names and shapes say of a prism with a hole of 10 mm on a shaft as wide as it.
+/// Names and shapes decide whether a prism with a hole of 10 mm is a nut on a shaft of the same width.
 bool isPulledNut(const std::string& name, double across, double height, const std::string& shaft = "") {
   const PlacedBody rod = Parts::placed(test::rodMesh(0.005, 0.0, 0.03));
   const PlacedBody nut =
