@@ -98,7 +98,7 @@ ParsedCommand addPlan(const ParsedCommand& app, PlanOptions& options) {
   addChoice(plan, "--collision", options.collision, kCollisionBackendNames,
             GLISSADE_TEXT("Collision checker: kernel or fcl (default: kernel)"));
   addFitOptions(plan, options.fits, GLISSADE_TEXT("the scenario's"));
-  plan.option("--operator", options.operatorName, {GLISSADE_TEXT("Operator: %1 or replay:FILE"), {operatorNames()}});
+  plan.option("--operator", options.operatorName, {GLISSADE_TEXT("Operator: %1 or replay:FILE"), {simulatedOperatorNames()}});
   plan.option("--way", options.way,
               GLISSADE_TEXT("A simulated operator follows this path, not the scenario's way-points"));
   addParameters(plan, options.parameters);

@@ -1,0 +1,23 @@
+# What `cmake --install` puts where for programs that use the library. A component has the name of its Debian package.
+include(CMakePackageConfigHelpers)
+set(cmake_files ${CMAKE_INSTALL_LIBDIR}/cmake/Glissade)
+set(made ${CMAKE_CURRENT_BINARY_DIR}/library)
+
+install(TARGETS glissade_shared EXPORT GlissadeTargets
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT libglissade0 NAMELINK_COMPONENT libglissade-dev)
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/engine/api/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  COMPONENT libglissade-dev)
+install(FILES ${CMAKE_BINARY_DIR}/generated/glissade/version.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/glissade
+  COMPONENT libglissade-dev)
+
+install(EXPORT GlissadeTargets NAMESPACE Glissade:: DESTINATION ${cmake_files} COMPONENT libglissade-dev)
+configure_package_config_file(${CMAKE_CURRENT_SOURCE_DIR}/library/GlissadeConfig.cmake.in ${made}/GlissadeConfig.cmake
+  INSTALL_DESTINATION ${cmake_files})
+# Before version 1, a minor version may change the interface.
+write_basic_package_version_file(${made}/GlissadeConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${made}/GlissadeConfig.cmake ${made}/GlissadeConfigVersion.cmake DESTINATION ${cmake_files}
+  COMPONENT libglissade-dev)
+
+file(RELATIVE_PATH prefix_from_pkgconfig /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+configure_file(library/glissade.pc.in ${made}/glissade.pc @ONLY)
+install(FILES ${made}/glissade.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT libglissade-dev)

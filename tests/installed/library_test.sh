@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# Installs the library into a folder, builds a program outside of the tree with it, and runs the program: by CMake, by
+# pkg-config, and for the processor of this machine.
+# usage: library_test.sh SOURCE_FOLDER BUILD_FOLDER
+set -euo pipefail
+source=$1
+build=$2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+prefix=$work/prefix
+
+for component in libglissade0 libglissade-dev; do
+  cmake --install "$build" --prefix "$prefix" --component "$component" >"$work/install.log" ||
+    { cat "$work/install.log"; exit 1; }
+done
+cp -r "$source/tests/installed/program" "$source/samples/environment-1" "$source/samples/bolted-brackets" "$work"
+libraries=$(dirname "$(find "$prefix" -name libglissade.so)")
+
+# The library shows the public names only.
+others=$(nm -DC --defined-only "$libraries/libglissade.so" | cut -d' ' -f3- |
+         grep -vE '^((typeinfo|typeinfo name|vtable) for )?glissade::api::|^GLISSADE_0$' || true)
+[ -z "$others" ] || { echo "names that are not public:"; echo "$others"; exit 1; }
+
+# runs PROGRAM: it must plan, check, take a product apart and use a planner of its own.
+runs() {
+  local expected="path valid 1
+removed 4 of 4
+own planner certified 1"
+  local said
+  said=$(LD_LIBRARY_PATH=$libraries "$1" "$work/environment-1/scenario.json" "$work/bolted-brackets/scenario.json")
+  [ "$(head -n 3 <<<"$said")" = "$expected" ] || { echo "$1 said:"; echo "$said"; exit 1; }
+}
+
+cmake -S "$work/program" -B "$work/by-cmake" -DCMAKE_PREFIX_PATH="$prefix" >"$work/cmake.log" || { cat "$work/cmake.log"; exit 1; }
+cmake --build "$work/by-cmake" >"$work/build.log" 2>&1 || { cat "$work/build.log"; exit 1; }
+runs "$work/by-cmake/program"
+
+flags=$(PKG_CONFIG_PATH=$libraries/pkgconfig pkg-config --cflags --libs glissade)
+# shellcheck disable=SC2086
+"${CXX:-g++}" -std=c++20 -O1 -march=native "$work/program/main.cpp" -o "$work/by-pkg-config" $flags
+runs "$work/by-pkg-config"
