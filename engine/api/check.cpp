@@ -6,6 +6,7 @@
 #include "engine/check/verdict_report.h"
 #include "engine/files/forbidden_places_of.h"
 #include "engine/files/judged_product.h"
+#include "engine/files/plan_file.h"
 
 namespace glissade::api {
 namespace {

@@ -103,7 +103,7 @@ void OutsidePlanner::deliver(const std::vector<Pose>& way, PlannerHost& host) {
   if (!examined.holds()) {
     ++counts_.rejectedPaths;
     return giveUp("the planner's path is not certified: edge " + std::to_string(examined.blocked.front().edge) +
-                  " does not keep the clearance");
+                  " does not keep the clearance, or leaves the bounds");
   }
   path_ = std::move(examined.path);
 }

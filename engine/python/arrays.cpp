@@ -55,7 +55,7 @@ template <class T>
 py::array readOnly(const T* data, std::size_t rows, const py::object& owner) {
   py::array_t<T> array({static_cast<py::ssize_t>(rows), py::ssize_t{3}}, data, owner);
   array.attr("flags").attr("writeable") = false;
-  return std::move(array);
+  return array;
 }
 
 }  // namespace

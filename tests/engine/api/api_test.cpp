@@ -24,7 +24,7 @@ g::Pose at(double x, double y, double z) { return {{x, y, z}, g::Quaternion::Ide
 /// A cube that has to get past another one.
 g::World world() { return *g::World::make({{"wall", "", cube(0.4), {}}}, cube(0.1)); }
 
-g::Problem problem() { return *g::Problem::make(world(), at(-1, 0, 0), at(1, 0, 0)); }
+g::Problem problem() { return *g::Problem::make(world(), at(-1, 0, 0), at(1, 0, 0), g::Box{{-2, -2, -2}, {2, 2, 2}}); }
 
 TEST(Api, AScenarioIsPlannedAndCheckedAsByTheCommandLine) {
   const auto scenario = g::load<g::Scenario>(sample("environment-1/scenario.json"));
@@ -220,6 +220,8 @@ TEST(Api, AStopEndsEveryFunction) {
   EXPECT_EQ(g::plan(problem(), {.strategy = "birrt", .stop = stop}).path.error().kind, ErrorKind::Interrupted);
   const auto path = *g::Path::make({at(-1, 0, 0), at(0, 0, 1), at(1, 0, 0)});
   EXPECT_EQ(g::check(problem(), path, {.stop = stop})->kind, g::VerdictKind::Undecided);
+  const auto blocked = *g::Path::make({at(-1, 0, 0), at(1, 0, 0)});
+  EXPECT_EQ(g::check(problem(), blocked, {.stop = stop})->kind, g::VerdictKind::Undecided);
   EXPECT_FALSE(g::sweep(cube(1), path.configurations(), {.stop = stop}));
   EXPECT_FALSE(g::clearance(world(), path, {.stop = stop}));
   const auto product = *g::Product::make({{"a", "", cube(1), {}}, {"b", "", cube(1), at(1, 0, 0)}});

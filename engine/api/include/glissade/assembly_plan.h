@@ -11,21 +11,21 @@ namespace glissade::api {
 
 /// The removal of one body, or of several that move as one.
 struct Step {
-  std::vector<std::string> bodies;  ///< ids of the bodies that leave; the first one names the step
-  std::string method;               ///< how the motion was found, such as "straight"
+  std::vector<std::string> bodies{};  ///< ids of the bodies that leave; the first one names the step
+  std::string method{};               ///< how the motion was found, such as "straight"
   /// Poses of the first body's frame, or of the group's. Each body of the step has X_WB = X(t) X(0)^-1 X_WB(assembled).
-  std::vector<Pose> path;
-  bool certified = true;           ///< false for a flexible body, whose motion is not proved
-  double minClearance = 0.0;       ///< smallest clearance that was met, metres; infinite where no body was there
-  std::string nearest;             ///< id of the body at the smallest clearance; empty: none
-  std::vector<std::size_t> after;  ///< numbers, from 1, of the steps that have to come before
+  std::vector<Pose> path{};
+  bool certified = true;             ///< false for a flexible body, whose motion is not proved
+  double minClearance = 0.0;         ///< smallest clearance that was met, metres; infinite where no body was there
+  std::string nearest{};             ///< id of the body at the smallest clearance; empty: none
+  std::vector<std::size_t> after{};  ///< numbers, from 1, of the steps that have to come before
 };
 
 /// A body that no removal was found for.
 struct StuckBody {
-  std::string body;                    ///< id
-  std::vector<std::string> blockedBy;  ///< ids of blocking bodies
-  std::string reason;                  ///< for people; may be empty
+  std::string body{};                    ///< id
+  std::vector<std::string> blockedBy{};  ///< ids of blocking bodies
+  std::string reason{};                  ///< for people; may be empty
 };
 
 /// The reason why a plan has ended.

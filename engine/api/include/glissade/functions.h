@@ -26,11 +26,11 @@ using Progress = std::function<void(double share)>;
 /// Options of load().
 struct LoadOptions {
   double deflection = 0.0;  ///< largest deviation of triangles from the surfaces of a part file, metres; 0: by its size
-  std::optional<bool> fits;             ///< fits on or off; nothing: as the file says
-  std::optional<double> acceptedClash;  ///< clashes up to this overlap are accepted, metres
-  std::vector<std::string> open;        ///< parts of several solids that are taken as their solids
-  std::vector<std::string> without;     ///< bodies of a product that are left out
-  StopToken stop;                       ///< ends the reading
+  std::optional<bool> fits{};             ///< fits on or off; nothing: as the file says
+  std::optional<double> acceptedClash{};  ///< clashes up to this overlap are accepted, metres
+  std::vector<std::string> open{};        ///< parts of several solids that are taken as their solids
+  std::vector<std::string> without{};     ///< bodies of a product that are left out
+  StopToken stop{};                       ///< ends the reading
 };
 
 /// Reads a file. Value is Scenario (a scenario or an OMPL.app file), Product (a scenario, or a STEP, IGES, BREP, URDF
@@ -65,20 +65,20 @@ struct RunCounts {
 
 /// Options of plan().
 struct PlanOptions {
-  std::string strategy;                            ///< id of a planner; empty: the scenario's, or "auto"
-  std::optional<std::uint64_t> seed;               ///< nothing: the scenario's, or 1
-  std::string operatorName = "none";               ///< simulated operator: "none", "expert", "default", "novice", ...
-  Parameters parameters;                           ///< values that override those of the problem
-  const Planners* planners = nullptr;              ///< planners from outside; null: none. It has to outlive the call.
-  std::function<void(const RunCounts&)> progress;  ///< called on the calling thread, many times a second
-  StopToken stop;                                  ///< ends the run within 50 ms
+  std::string strategy{};                            ///< id of a planner; empty: the scenario's, or "auto"
+  std::optional<std::uint64_t> seed{};               ///< nothing: the scenario's, or 1
+  std::string operatorName = "none";                 ///< simulated operator: "none", "expert", "default", "novice", ...
+  Parameters parameters{};                           ///< values that override those of the problem
+  const Planners* planners = nullptr;                ///< planners from outside; null: none. It has to outlive the call.
+  std::function<void(const RunCounts&)> progress{};  ///< called on the calling thread, many times a second
+  StopToken stop{};                                  ///< ends the run within 50 ms
 };
 
 /// The end of a run.
 struct Run {
   Result<Path> path;       ///< the certified path, or the reason why there is none
   RunCounts counts;        ///< cost of the run
-  std::string strategy;    ///< id of the planner
+  std::string strategy{};  ///< id of the planner
   std::uint64_t seed = 0;  ///< seed of the run
   double seconds = 0.0;    ///< time of planning
 };
@@ -91,11 +91,11 @@ GLISSADE_EXPORT Run plan(const Scenario& scenario, const PlanOptions& options = 
 
 /// Options of check().
 struct CheckOptions {
-  std::optional<double> requiredClearance;  ///< metres; nothing: that of the scenario
-  bool trustPlan = false;                   ///< statements of a plan count as a person's word
-  LoadOptions files;                        ///< how the product is read
-  Progress progress;                        ///< finished share
-  StopToken stop;                           ///< an unfinished verdict is Undecided
+  std::optional<double> requiredClearance{};  ///< metres; nothing: that of the scenario
+  bool trustPlan = false;                     ///< statements of a plan count as a person's word
+  LoadOptions files{};                        ///< how the product is read
+  Progress progress{};                        ///< finished share
+  StopToken stop{};                           ///< an unfinished verdict is Undecided
 };
 
 /// The outcome of a verdict.
@@ -111,9 +111,9 @@ enum class VerdictKind {
 /// The verdict of the judge, which shares no code with the planners but the file readers and measurements of pairs.
 struct Verdict {
   VerdictKind kind = VerdictKind::Undecided;  ///< the outcome
-  std::string text;                           ///< report for people, in English
-  std::string json;                           ///< report as a JSON document
-  Warnings warnings;                          ///< losses and doubts from reading the files
+  std::string text{};                         ///< report for people, in English
+  std::string json{};                         ///< report as a JSON document
+  Warnings warnings{};                        ///< losses and doubts from reading the files
 
   /// True if everything is proved, and no body is flexible.
   bool valid() const { return kind == VerdictKind::Valid; }
@@ -138,20 +138,20 @@ struct FindOptions {
   bool confirmsSuggested = false;  ///< joints(): suggested joints count as if a person had confirmed them
   std::size_t samples = 200;       ///< clearance(): about this number of samples
   std::size_t threads = 0;         ///< number of threads, which do not change the result; 0: one for each core
-  Progress progress;               ///< finished share
-  StopToken stop;                  ///< ends the search
+  Progress progress{};             ///< finished share
+  StopToken stop{};                ///< ends the search
 };
 
 /// Two bodies of a product that touch, overlap or are near each other.
 struct Fit {
-  std::string a;             ///< id
-  std::string b;             ///< id
-  std::string kind;          ///< "planar", "cylindrical", "thread", "press", "overlap", ...
+  std::string a{};           ///< id
+  std::string b{};           ///< id
+  std::string kind{};        ///< "planar", "cylindrical", "thread", "press", "overlap", ...
   double gap = 0.0;          ///< metres; 0 if they touch or overlap
   double overlap = 0.0;      ///< metres; 0 if they do not overlap
   double uncertainty = 0.0;  ///< largest error of gap and overlap by tessellation, metres
   double allowance = 0.0;    ///< how much thinner a body is taken against the other one, metres
-  std::string status;        ///< "clear", "allowed", "accepted" or "clash"
+  std::string status{};      ///< "clear", "allowed", "accepted" or "clash"
 };
 
 /// The fits of a product. Errors: Interrupted, MalformedInput for a statement of the scenario about no pair.
@@ -159,17 +159,17 @@ GLISSADE_EXPORT Result<std::vector<Fit>> fits(const Product& product, const Find
 
 /// How bodies of a product are joined.
 struct Joint {
-  std::string kind;                      ///< "screw", "nut", "thread", "insert", "pin", "snap", "flexible", ...
-  std::string state;                     ///< "recognised", "suggested" or "confirmed"
-  std::string body;                      ///< id of the screw, nut, guest, pin, ...
-  std::vector<std::string> others;       ///< ids of the bodies that it is joined to
-  std::vector<std::string> clamped;      ///< ids of the parts that it clamps, the nearest to the head first
+  std::string kind{};                    ///< "screw", "nut", "thread", "insert", "pin", "snap", "flexible", ...
+  std::string state{};                   ///< "recognised", "suggested" or "confirmed"
+  std::string body{};                    ///< id of the screw, nut, guest, pin, ...
+  std::vector<std::string> others{};     ///< ids of the bodies that it is joined to
+  std::vector<std::string> clamped{};    ///< ids of the parts that it clamps, the nearest to the head first
   Vector3 point = Vector3::Zero();       ///< on the axis, world frame
   Vector3 direction = Vector3::UnitZ();  ///< unit, world frame: exit direction of the body
   double diameter = 0.0;                 ///< outer diameter of the thread, metres; 0: no thread
   double pitch = 0.0;                    ///< metres a turn; below 0: left-handed; 0: no thread
-  std::string designation;               ///< as stated by a name, "ISO 4762 M3x8"; empty: none
-  std::vector<std::string> evidence;     ///< each fact that supports it, for people
+  std::string designation{};             ///< as stated by a name, "ISO 4762 M3x8"; empty: none
+  std::vector<std::string> evidence{};   ///< each fact that supports it, for people
 };
 
 /// The joints of a product, with the statements of its scenario. Errors: Interrupted, Usage for a statement about no
@@ -178,13 +178,13 @@ GLISSADE_EXPORT Result<std::vector<Joint>> joints(const Product& product, const 
 
 /// Options of sequence().
 struct SequenceOptions {
-  std::string strategy;              ///< "greedy" or "best-first"; empty: best-first
-  std::uint64_t seed = 1;            ///< seed of the searches
-  std::vector<std::string> staying;  ///< names of bodies that stay; empty: those of the product, or the largest body
-  double timeLimit = 0.0;            ///< seconds; 0: none
-  std::size_t threads = 0;           ///< number of threads, which do not change the plan; 0: one for each core
-  std::function<void(const AssemblyPlan&)> progress;  ///< called with the plan so far when a step is found
-  StopToken stop;                                     ///< ends the planning; the plan so far is the result
+  std::string strategy{};              ///< "greedy" or "best-first"; empty: best-first
+  std::uint64_t seed = 1;              ///< seed of the searches
+  std::vector<std::string> staying{};  ///< names of bodies that stay; empty: those of the product, or the largest body
+  double timeLimit = 0.0;              ///< seconds; 0: none
+  std::size_t threads = 0;             ///< number of threads, which do not change the plan; 0: one for each core
+  std::function<void(const AssemblyPlan&)> progress{};  ///< called with the plan so far when a step is found
+  StopToken stop{};                                     ///< ends the planning; the plan so far is the result
 };
 
 /// Plans the order in which the bodies of a product leave. A plan that is not complete is a result, too. Errors: Usage
@@ -194,9 +194,9 @@ GLISSADE_EXPORT Result<AssemblyPlan> sequence(const Product& product, const Sequ
 
 /// Options of sweep().
 struct SweepOptions {
-  std::optional<double> bound;  ///< largest distance of the surface from the sweep, metres; nothing: chosen by size
-  Progress progress;            ///< finished share
-  StopToken stop;               ///< ends the work
+  std::optional<double> bound{};  ///< largest distance of the surface from the sweep, metres; nothing: chosen by size
+  Progress progress{};            ///< finished share
+  StopToken stop{};               ///< ends the work
 };
 
 /// The volume that a body covers while it moves.
@@ -215,8 +215,8 @@ GLISSADE_EXPORT Result<SweptVolume> sweep(const Mesh& body, const std::vector<Po
 /// The exact distance to the nearest obstacle at one place of a path.
 struct ClearanceSample {
   double share = 0.0;  ///< share of the path's length, by the metric of the world, that lies before the place
-  Pose X_WB;           ///< configuration
-  Nearest nearest;     ///< nearest points
+  Pose X_WB{};         ///< configuration
+  Nearest nearest{};   ///< nearest points
 };
 
 /// Samples the clearance along a path. Each configuration has a sample. The samples prove nothing between them: the

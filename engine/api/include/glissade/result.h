@@ -16,10 +16,10 @@ namespace glissade::api {
 /// public one has plain texts.
 struct GLISSADE_EXPORT Diagnostic {
   ErrorKind kind = ErrorKind::Internal;  ///< class of the error
-  std::string file;                      ///< file as the caller named it
-  std::string place;                     ///< place in the file, or the name of an argument
-  std::string reason;                    ///< the fault
-  std::string advice;                    ///< the remedy
+  std::string file{};                    ///< file as the caller named it
+  std::string place{};                   ///< place in the file, or the name of an argument
+  std::string reason{};                  ///< the fault
+  std::string advice{};                  ///< the remedy
 
   /// "file: place: reason. advice" without the empty parts.
   std::string text() const;

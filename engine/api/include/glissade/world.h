@@ -12,16 +12,16 @@ namespace glissade::api {
 
 /// A rigid body that is placed in the world.
 struct Body {
-  std::string id;    ///< unique in its world or product
-  std::string name;  ///< for people; empty: the id
-  Mesh mesh;         ///< in the body's frame B
-  Pose X_WB;         ///< pose in the world
+  std::string id{};    ///< unique in its world or product
+  std::string name{};  ///< for people; empty: the id
+  Mesh mesh;           ///< in the body's frame B
+  Pose X_WB{};         ///< pose in the world
 };
 
 /// The nearest pair of points of the object and an obstacle.
 struct Nearest {
   double distance = 0.0;           ///< metres; 0 if they touch or penetrate; infinite without obstacles
-  std::string body;                ///< id of the obstacle; empty: none
+  std::string body{};              ///< id of the obstacle; empty: none
   Vector3 p_WO = Vector3::Zero();  ///< point of the obstacle, world frame; undefined for a distance of 0
   Vector3 p_WN = Vector3::Zero();  ///< point of the object, world frame; undefined for a distance of 0
 };
@@ -41,7 +41,7 @@ struct Certificate {
   double minClearance = 0.0;                    ///< smallest clearance that was met, metres
   std::size_t edge = 0;                         ///< edge with the smallest clearance, or the edge that is violated
   double at = 0.0;                              ///< place on that edge, in [0, 1]
-  Nearest nearest;                              ///< nearest points at that place
+  Nearest nearest{};                            ///< nearest points at that place
 
   /// True if the motion is proved.
   bool certified() const { return status == ProofStatus::Certified; }
