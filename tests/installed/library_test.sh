@@ -9,7 +9,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 prefix=$work/prefix
 
-for component in libglissade0 libglissade-dev; do
+for component in libglissade0 libglissade-dev python3-glissade; do
   cmake --install "$build" --prefix "$prefix" --component "$component" >"$work/install.log" ||
     { cat "$work/install.log"; exit 1; }
 done
@@ -39,3 +39,11 @@ flags=$(PKG_CONFIG_PATH=$libraries/pkgconfig pkg-config --cflags --libs glissade
 # shellcheck disable=SC2086
 "${CXX:-g++}" -std=c++20 -O1 -march=native "$work/program/main.cpp" -o "$work/by-pkg-config" $flags
 runs "$work/by-pkg-config"
+
+# The Python package finds the library and its importers from where they were installed.
+if [ -d "$prefix/lib/python3" ]; then
+  cp "$source/samples/python/take_apart.py" "$work/program"
+  cd "$work"
+  LD_LIBRARY_PATH=$libraries PYTHONPATH=$prefix/lib/python3/dist-packages /usr/bin/python3 program/take_apart.py |
+    tail -n 2 | grep -q '^valid: 9 of 9 steps' || { echo "the Python package took nothing apart"; exit 1; }
+fi

@@ -21,3 +21,18 @@ install(FILES ${made}/GlissadeConfig.cmake ${made}/GlissadeConfigVersion.cmake D
 file(RELATIVE_PATH prefix_from_pkgconfig /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 configure_file(library/glissade.pc.in ${made}/glissade.pc @ONLY)
 install(FILES ${made}/glissade.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT libglissade-dev)
+
+if(TARGET glissade_python)
+  set(dist_packages lib/python3/dist-packages/glissade)
+  set(python_sources ${CMAKE_SOURCE_DIR}/engine/python/glissade)
+  install(TARGETS glissade_python LIBRARY DESTINATION ${dist_packages} COMPONENT python3-glissade)
+  install(FILES ${python_sources}/__init__.py ${python_sources}/__init__.pyi ${python_sources}/py.typed
+    DESTINATION ${dist_packages} COMPONENT python3-glissade)
+endif()
+
+# What each Debian package has to have.
+foreach(package libglissade0 libglissade-dev python3-glissade)
+  install(FILES ${changes} DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${package})
+  install(FILES ${CMAKE_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} RENAME copyright
+    COMPONENT ${package})
+endforeach()
