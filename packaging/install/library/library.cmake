@@ -36,3 +36,19 @@ foreach(package libglissade0 libglissade-dev python3-glissade)
   install(FILES ${CMAKE_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} RENAME copyright
     COMPONENT ${package})
 endforeach()
+
+# Pages of the public names; a name without a description is an error.
+find_program(DOXYGEN doxygen)
+if(DOXYGEN)
+  set(api_pages ${CMAKE_BINARY_DIR}/api-pages)
+  configure_file(library/Doxyfile.in ${made}/Doxyfile @ONLY)
+  file(MAKE_DIRECTORY ${api_pages})
+  add_custom_target(glissade_api_pages COMMAND ${DOXYGEN} ${made}/Doxyfile VERBATIM)
+  install(DIRECTORY ${api_pages}/html DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libglissade-dev OPTIONAL
+    COMPONENT libglissade-dev)
+  if(GLISSADE_TESTS)
+    add_test(NAME Installed.EveryPublicNameIsDescribed
+      COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR} --target glissade_api_pages)
+    set_tests_properties(Installed.EveryPublicNameIsDescribed PROPERTIES TIMEOUT 60 RUN_SERIAL ON)
+  endif()
+endif()

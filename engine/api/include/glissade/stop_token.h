@@ -11,7 +11,7 @@ namespace glissade {
 /// (a stop answers within 50 ms).
 class StopToken {
  public:
-  using Clock = std::chrono::steady_clock;
+  using Clock = std::chrono::steady_clock;  ///< clock of deadlines
 
   /// A token that never stops.
   StopToken() = default;
@@ -40,8 +40,8 @@ class StopToken {
 /// Write side of a request to stop. Thread-safe, also in signal handlers.
 class StopSource {
  public:
-  StopToken token() const { return StopToken(flag_); }
-  void requestStop() { flag_->store(true, std::memory_order_relaxed); }
+  StopToken token() const { return StopToken(flag_); }                   ///< read side
+  void requestStop() { flag_->store(true, std::memory_order_relaxed); }  ///< asks all tokens to stop
 
  private:
   std::shared_ptr<std::atomic<bool>> flag_ = std::make_shared<std::atomic<bool>>(false);
