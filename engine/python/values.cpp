@@ -66,7 +66,7 @@ void addGeometry(py::module_& module) {
       .def_property_readonly(
           "orientation", [](const Pose& pose) { return py::array_t<double>(4, pose.orientation.coeffs().data()); },
           "unit quaternion x y z w")
-      .def("__array__", [](const Pose& pose, const py::args&) { return arrayOf(pose); })
+      .def("__array__", [](const Pose& pose, const py::args&, const py::kwargs&) { return arrayOf(pose); })
       .def("__repr__",
            [](const Pose& pose) { return "<glissade.Pose " + py::str(arrayOf(pose)).cast<std::string>() + ">"; });
 

@@ -31,9 +31,17 @@ own planner certified 1"
   [ "$(head -n 3 <<<"$said")" = "$expected" ] || { echo "$1 said:"; echo "$said"; exit 1; }
 }
 
+# runs_with_programs_in FOLDER PROGRAM: the importers are those of the folder.
+runs_with_programs_in() {
+  GLISSADE_PROGRAMS=$1 LD_LIBRARY_PATH=$libraries "$2" "$work/environment-1/scenario.json" \
+    "$work/bolted-brackets/scenario.json" >/dev/null 2>&1
+}
+
 cmake -S "$work/program" -B "$work/by-cmake" -DCMAKE_PREFIX_PATH="$prefix" >"$work/cmake.log" || { cat "$work/cmake.log"; exit 1; }
 cmake --build "$work/by-cmake" >"$work/build.log" 2>&1 || { cat "$work/build.log"; exit 1; }
 runs "$work/by-cmake/program"
+runs_with_programs_in "$prefix/libexec/glissade" "$work/by-cmake/program" || { echo "importers are not taken from a named folder"; exit 1; }
+! runs_with_programs_in "$work" "$work/by-cmake/program" || { echo "the named folder of importers does not count"; exit 1; }
 
 flags=$(PKG_CONFIG_PATH=$libraries/pkgconfig pkg-config --cflags --libs glissade)
 # shellcheck disable=SC2086
