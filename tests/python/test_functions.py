@@ -87,7 +87,7 @@ def test_other_threads_go_on_while_a_planner_works(problem):
 
     thread = threading.Thread(target=counts)
     thread.start()
-    glissade.sweep(glissade.Mesh.box([1, 1, 1]), [[0, 0, 0], [5, 0, 0], [5, 5, 0]], bound=0.02)
+    glissade.sweep(glissade.Mesh.box([1, 1, 1]), [[0, 0, 0], [5, 0, 0], [5, 5, 0]], bound=0.1)
     ended.set()
     thread.join()
     assert count > 1
