@@ -297,7 +297,7 @@ ParsedCommand addSequence(const ParsedCommand& app, SequenceOptions& options) {
               GLISSADE_TEXT("Time limit in seconds; the plan found so far is then written; 0: none"))
       ->capture_default_str();
   sequence.option("--stay", options.staying,
-                  GLISSADE_TEXT("Bodies fixed as base: they are not removed (default: the largest)"));
+                  GLISSADE_TEXT("Bodies fixed as base: they are not removed (default: a large one that touches many)"));
   sequence.option("--together", options.together,
                   GLISSADE_TEXT("Bodies that are removed as one: names with commas between them"));
   sequence.option("--before", options.before, GLISSADE_TEXT("first,then: the first body is removed before the second"));

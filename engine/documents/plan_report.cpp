@@ -8,6 +8,7 @@
 
 #include "engine/documents/parts_list.h"
 #include "engine/documents/plan_tasks.h"
+#include "engine/documents/plan_words.h"
 #include "engine/documents/times_section.h"
 #include "engine/sequence/plan_bodies.h"
 #include "engine/sequence/subassembly_lines.h"
@@ -188,20 +189,35 @@ class Composer {
       for (const std::string& id : steps.back()->bodies()) bodies.push_back(id);
     }
     const std::string name = nameOfStep(*steps.front(), content_.product);
-    std::string kind;
-    for (const std::size_t body : bodiesOf(*steps.front(), content_.product)) {
-      kind += (kind.empty() ? "" : ", ") + kindOfPart(body, content_.product);
-    }
     const std::string first = stepNumber(range.place);
-    const std::string title =
-        range.count == 1
-            ? say(GLISSADE_TEXT("Step %1 of %2: %3"), {first, all, name})
-            : say(GLISSADE_TEXT("Steps %1 to %2 of %3: %4"),
-                  {first, stepNumber(range.place + range.count - 1), all, std::to_string(range.count) + " × " + kind});
+    const std::string title = range.count == 1
+                                  ? say(GLISSADE_TEXT("Step %1 of %2: %3"), {first, all, name})
+                                  : say(GLISSADE_TEXT("Steps %1 to %2 of %3: %4"),
+                                        {first, stepNumber(range.place + range.count - 1), all, kindsIn(steps)});
     report_.blocks.emplace_back(ReportHeading{title, 2, true});
     if (task < content_.pictures.size())
       picture(content_.pictures[task], say(GLISSADE_TEXT("%1, removal path"), {name}));
     report_.blocks.emplace_back(facts(factsOf(steps, bodies, range.place)));
+  }
+
+  /// "3 × bolt, 3 × nut": the kinds of parts that the steps bring, in their order.
+  std::string kindsIn(const Steps& steps) const {
+    std::vector<std::pair<std::string, std::size_t>> kinds;
+    for (const AssemblyStep* step : steps) {
+      for (const std::size_t body : bodiesOf(*step, content_.product)) {
+        const std::string kind = kindOfPart(body, content_.product);
+        const auto known =
+            std::find_if(kinds.begin(), kinds.end(), [&](const auto& each) { return each.first == kind; });
+        if (known == kinds.end()) {
+          kinds.emplace_back(kind, 1);
+        } else {
+          ++known->second;
+        }
+      }
+    }
+    std::string text;
+    for (const auto& [kind, count] : kinds) text += (text.empty() ? "" : ", ") + countedName(kind, count);
+    return text;
   }
 
   Rows factsOf(const Steps& steps, const std::vector<std::string>& bodies, std::size_t place) const {
@@ -209,7 +225,7 @@ class Composer {
     Rows rows{{say(GLISSADE_TEXT("Full name")), namesOf(bodies)}};
     const auto motionOf = [&](const AssemblyStep& step) { return Texts{plain_.motion(step, PlanOrder::Assembly)}; };
     addRows(
-        say(GLISSADE_TEXT("Work")), steps, [&](const AssemblyStep& step) { return workOf(step, steps.size()); }, rows);
+        say(GLISSADE_TEXT("Work")), steps, [&](const AssemblyStep& step) { return workOf(step, steps); }, rows);
     addRows(say(GLISSADE_TEXT("Motion")), steps, motionOf, rows);
     addRows(
         say(GLISSADE_TEXT("Clearance")), steps, [&](const AssemblyStep& step) { return Texts{clearanceText(step)}; },
@@ -247,10 +263,16 @@ class Composer {
     return rows;
   }
 
-  /// The work of a step, for example "4 times: screw in M3x8, 9.5 turns"; nothing where the motion states it.
-  Texts workOf(const AssemblyStep& step, std::size_t count) const {
-    const std::string work = plain_.work(step, content_.product, PlanOrder::Assembly);
+  /// The work of a step, and how many of the steps have the same, for example "4 times: screw in M3x8, 9.5 turns";
+  /// nothing where the motion states it.
+  Texts workOf(const AssemblyStep& step, const Steps& steps) const {
+    const auto textOf = [&](const AssemblyStep& each) {
+      return plain_.work(each, content_.product, PlanOrder::Assembly);
+    };
+    const std::string work = textOf(step);
     if (work == plain_.motion(step, PlanOrder::Assembly)) return {};
+    const auto count =
+        std::count_if(steps.begin(), steps.end(), [&](const auto* each) { return textOf(*each) == work; });
     return {count == 1 ? work : say(GLISSADE_TEXT("%1 times: %2"), {std::to_string(count), work})};
   }
 

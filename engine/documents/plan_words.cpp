@@ -136,11 +136,7 @@ std::vector<std::string> PlanWords::joints(const AssemblyStep& step, const Assem
 }
 
 std::string PlanWords::base(const AssemblyPlan& plan, const AssembledProduct& product) const {
-  const std::string& largest = product.bodies[largestBody(product)].id;
-  const bool isLargest = std::find(plan.staying.begin(), plan.staying.end(), largest) != plan.staying.end();
-  return words_(GLISSADE_TEXT("%1 (%2)"),
-                {someOf(plan.staying, product),
-                 words_(isLargest ? GLISSADE_TEXT("the largest part") : GLISSADE_TEXT("user-defined"))});
+  return someOf(plan.staying, product);
 }
 
 std::string PlanWords::work(const AssemblyStep& step, const AssembledProduct& product, PlanOrder order) const {
@@ -296,6 +292,10 @@ std::string kindOfPart(std::size_t body, const AssembledProduct& product) {
   const auto node = product.tree.find(product.bodies[body].id);
   const std::string& name = node ? product.tree.nodes()[*node].names.product : product.bodies[body].name;
   return node && !name.empty() ? withoutNumber(name) : kindOfPart(product.bodies[body].name);
+}
+
+std::string countedName(const std::string& name, std::size_t count) {
+  return count == 1 ? name : std::to_string(count) + " × " + name;
 }
 
 std::string shownNameOf(const std::string& id, const AssembledProduct& product) {

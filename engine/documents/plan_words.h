@@ -34,7 +34,7 @@ class PlanWords {
   std::string length(double metres) const { return length_(metres); }
   /// A direction: "up (+Z)", "(0.50, 0.00, 0.87)".
   std::string direction(const Vector3& direction) const;
-  /// The base of the plan, and the reason for it: "plate (the largest part)", "foot (as a person says)".
+  /// The bodies that stay.
   std::string base(const AssemblyPlan& plan, const AssembledProduct& product) const;
   /// The motion of a step: "up (+Z), 62.0 mm". In the order of assembly the reversed motion is described.
   std::string motion(const AssemblyStep& step, PlanOrder order) const;
@@ -74,5 +74,8 @@ std::string shownNameOf(const std::string& id, const AssembledProduct& product);
 std::string kindOfPart(const std::string& name);
 /// The file's name for the product of a body, without that number.
 std::string kindOfPart(std::size_t body, const AssembledProduct& product);
+
+/// A name with its count, "4 × nut", or only "nut" for one.
+std::string countedName(const std::string& name, std::size_t count);
 
 }  // namespace glissade

@@ -312,6 +312,7 @@ PairBounds boundsOf(const MeasuredBody& one, const MeasuredBody& other, const Fi
   const double thickness =
       std::max({one.measured.overlap.thickness, other.measured.overlap.thickness, isRound ? 2.0 * round.radius : 0.0});
   const bool isThread = isRound && isCoreOfThread(round.radius, round.depth);
+  if (isThread) bounds.one.share = bounds.other.share = kThreadShare;
   if (!isThread && isClash(ofOne, thickness, fits, word)) refuseClash(bounds.one);
   if (!isThread && isClash(ofOther, thickness, fits, word)) refuseClash(bounds.other);
   bounds.depth = inMicrometresUp(std::min(ofOne, ofOther));

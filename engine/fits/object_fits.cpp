@@ -423,7 +423,7 @@ class FitFinder {
                               const std::vector<Pose>& ends) {
     constexpr double kShare = 0.25;
     const evidence::AllowanceBound& bound = yields ? bounds.other : bounds.one;
-    const bool bends = bound.share > evidence::kThicknessShare;
+    const bool bends = bound.share == evidence::kHookShare;
     const double least = bends ? bound.most : std::min(bound.most, bound.largest.overlap + gap_);
     for (double allowance = bound.most;; allowance = std::max(least, kShare * allowance)) {
       if (const auto taken = thinned(fit, yields, bound, allowance)) {

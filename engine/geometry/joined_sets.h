@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -25,6 +26,15 @@ class JoinedSets {
   std::vector<std::uint32_t> all() && {
     for (std::uint32_t& each : above_) each = of(each);
     return std::move(above_);
+  }
+
+  /// The sets of two numbers or more, each ascending, ordered by their first number.
+  std::vector<std::vector<std::size_t>> several() && {
+    std::vector<std::vector<std::size_t>> members(above_.size());
+    for (std::uint32_t each = 0; each < above_.size(); ++each) members[of(each)].push_back(each);
+    std::erase_if(members, [](const std::vector<std::size_t>& set) { return set.size() < 2; });
+    std::sort(members.begin(), members.end());
+    return members;
   }
 
  private:

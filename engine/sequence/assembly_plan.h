@@ -102,8 +102,8 @@ struct AssemblyStep {
   std::vector<std::string> falling{};
   std::vector<StepViolation> violates{};  ///< broken rules of a step that a person has put at its place
   std::vector<StepJoint> joints{};        ///< joints that come apart by the step
-  /// Number of the task, from 1: steps with the same number open alike joints that clamp the same bodies. 0: it is a
-  /// task alone.
+  /// Number of the task, from 1: steps with the same number remove the fastener stacks of alike joints that clamp the
+  /// same bodies. 0: it is a task alone.
   std::size_t task = 0;
   bool unit = false;  ///< its bodies are held together by joints, and are not taken apart
   /// False for a flexible body: its path is for display, and is not proved.

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/sequence/greedy_strategy.h"
+#include "engine/sequence/holding.h"
 #include "engine/sequence/order_search.h"
 #include "engine/sequence/plan_steps.h"
 #include "engine/sequence/step_motion.h"
@@ -55,7 +56,7 @@ double sideOf(const Vector3& way) { return std::abs(way.z()) < kUpright ? 0.0 : 
 class Reordering {
  public:
   Reordering(const AssemblyPlan& plan, const SequenceQuestion& question, const StepCost& cost, const StopToken& stop)
-      : plan_(plan), question_(question), cost_(cost), stop_(stop) {
+      : plan_(plan), question_(question), cost_(cost), stop_(stop), holding_(question) {
     const BodySet all = question.initial();
     const double size = boxOf(question.product, all).diagonal().norm();
     const double volume = boxOf(question.product, all).volume();
@@ -88,7 +89,9 @@ class Reordering {
       assemblies_.push_back(node ? tree.assembliesAbove(*node) : std::vector<std::size_t>());
       const bool single = question.joints != nullptr && group.size() == 1;
       tasks_.push_back(single ? question.joints->taskOf(group.front()) : 0);
+      stacks_.push_back(single ? question.joints->stackOf(group.front()) : 0);
     }
+    findOpeners();
   }
 
   std::vector<std::size_t> order() {
@@ -112,18 +115,47 @@ class Reordering {
   }
 
  private:
+  /// The step of a stack that is found with a tool opens it.
+  void findOpeners() {
+    for (std::size_t step = 0; step < groups_.size(); ++step) {
+      openers_.push_back(step);
+      for (std::size_t other = 0; other < groups_.size() && stacks_[step] != 0; ++other) {
+        const bool opens = stacks_[other] == stacks_[step] && plan_.steps[other].tool.kind != ToolKind::None;
+        if (opens) openers_.back() = other;
+      }
+    }
+  }
+
   /// The figures without those that depend on other bodies: the falling bodies and the access of the tool.
   StepFigures figuresOf(std::size_t step, const std::size_t* last, const std::vector<bool>& done) const {
     StepFigures figures = figures_[step];
+    const bool isSameStack = last != nullptr && stacks_[step] != 0 && stacks_[step] == stacks_[*last];
+    if (!isSameStack) addChanges(figures, step, last == nullptr ? nullptr : &openers_[*last]);
+    figures.distance = last == nullptr ? 0.0 : (places_[step] - places_[*last]).norm();
+    const auto left = std::count(done.begin(), done.end(), false);
+    figures.early = static_cast<double>(left - 1) / static_cast<double>(done.size());
+    return figures;
+  }
+
+  /// Adds what changes after the step `last`.
+  void addChanges(StepFigures& figures, std::size_t step, const std::size_t* last) const {
     figures.directionChange = last == nullptr || ways_[step].dot(ways_[*last]) < kSameWay;
     figures.turnOver = last == nullptr ? 0.0 : 0.5 * std::abs(sideOf(ways_[step]) - sideOf(ways_[*last]));
     figures.toolChange = last == nullptr || usesAnotherTool(plan_.steps[step], plan_.steps[*last]);
     figures.taskChange = last == nullptr || tasks_[step] == 0 || tasks_[step] != tasks_[*last];
     figures.assemblyChange = last == nullptr ? 0.0 : assemblyChangeOf(assemblies_[step], assemblies_[*last]);
-    figures.distance = last == nullptr ? 0.0 : (places_[step] - places_[*last]).norm();
-    const auto left = std::count(done.begin(), done.end(), false);
-    figures.early = static_cast<double>(left - 1) / static_cast<double>(done.size());
-    return figures;
+  }
+
+  /// Number of stacks of which some bodies have left and others remain.
+  double openStacks(const BodySet& remaining) const {
+    if (question_.joints == nullptr) return 0.0;
+    const BodySet initial = question_.initial();
+    const std::vector<BodyGroup>& stacks = question_.joints->stacks();
+    return static_cast<double>(std::count_if(stacks.begin(), stacks.end(), [&](const BodyGroup& stack) {
+      const auto isThere = [&](std::size_t body) { return remaining[body]; };
+      const auto hasLeft = [&](std::size_t body) { return initial[body] && !remaining[body]; };
+      return std::any_of(stack.begin(), stack.end(), isThere) && std::any_of(stack.begin(), stack.end(), hasLeft);
+    }));
   }
 
   double costOfStep(std::size_t step, const std::size_t* last, const std::vector<bool>& done) {
@@ -132,11 +164,15 @@ class Reordering {
     for (std::size_t other = 0; other < done.size(); ++other) {
       if (done[other]) present = without(std::move(present), groups_[other]);
     }
+    const BodySet remaining = without(present, groups_[step]);
+    if (cost_.uses("in_air")) figures.inAir = holding_.isInAir(groups_[step], remaining);
+    if (cost_.uses("unfastened")) figures.unfastened = static_cast<double>(holding_.unfastened(remaining));
     if (question_.standing != nullptr && cost_.uses("falling")) {
       figures.falling = static_cast<double>(question_.standing->newlyFalling(present, groups_[step]).size());
     }
+    if (cost_.uses("open_stacks")) figures.openStacks = openStacks(remaining);
     if (tools_) {
-      const auto tool = tools_->toolOf(step, without(std::move(present), groups_[step]), stop_);
+      const auto tool = tools_->toolOf(step, remaining, stop_);
       figures.toolBlocked = tool && tool->access == ToolAccess::Blocked;
     }
     return cost_.of(figures);
@@ -150,12 +186,16 @@ class Reordering {
   const SequenceQuestion& question_;
   const StepCost& cost_;
   const StopToken& stop_;
+  Holding holding_;
   std::vector<BodyGroup> groups_;
   std::vector<StepFigures> figures_;  ///< figures that do not depend on the order
   std::vector<Vector3> ways_;         ///< direction at the end of each step, unit; zero where it only turns
   std::vector<Vector3> places_;       ///< centre of each step's bodies, divided by the diagonal of the product's box
   std::vector<std::vector<std::size_t>> assemblies_;  ///< tree path of the first body's assembly, for each step
   std::vector<std::size_t> tasks_;
+  std::vector<std::size_t> stacks_;
+  std::vector<std::size_t>
+      openers_;                     ///< for each step, the step that opens its stack; for other steps, the step itself
   std::optional<ToolFacts> tools_;  ///< set if the cost uses the access of tools
 };
 
@@ -202,7 +242,7 @@ std::optional<std::vector<AssemblyStep>> reordered(const AssemblyPlan& plan, con
     if (next.certified && !isStillProved(next, before[next.proof.afterSteps], present, question.product)) {
       const auto removed = question.trial.certified(group, next.path, next.method, present, stop);
       if (!removed) return std::nullopt;
-      next.proof = makeStep(group, *removed, question, steps.size()).proof;
+      next.proof = makeStep(group, *removed, question, present, steps.size()).proof;
     }
     if (next.certified && !endsOutside(next, group, present, question.product)) return std::nullopt;
     next.proof.afterSteps = steps.size();

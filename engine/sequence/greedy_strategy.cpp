@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/fits/liaison_graph.h"
 #include "engine/sequence/plan_steps.h"
 #include "engine/sequence/sequence_strategy.h"
 #include "engine/sequence/step_precedence.h"
@@ -40,6 +41,23 @@ std::vector<BodyGroup> assembliesThere(const SequenceQuestion& question, const B
   return groups;
 }
 
+/// The clusters of the bodies that are there at the beginning (LiaisonGraph::clusters()), without those that are one
+/// unit of the rules, or the whole of what is there.
+std::vector<BodyGroup> clustersOf(const SequenceQuestion& question) {
+  if (question.joints == nullptr) return {};
+  const BodySet there = question.initial();
+  std::vector<BodyGroup> clusters = LiaisonGraph(there.size(), {}, question.joints->joints()).clusters();
+  std::erase_if(clusters, [&](const BodyGroup& cluster) {
+    const bool isWhole = std::all_of(cluster.begin(), cluster.end(), [&](std::size_t body) {
+      const BodyGroup unit = unitOf(body, question.rules);
+      return there[body] && std::includes(cluster.begin(), cluster.end(), unit.begin(), unit.end());
+    });
+    return !isWhole || unitOf(cluster.front(), question.rules) == cluster ||
+           cluster.size() == static_cast<std::size_t>(std::count(there.begin(), there.end(), true));
+  });
+  return clusters;
+}
+
 /// Number of units that are searched at the same time, whatever the number of threads.
 constexpr std::size_t kSearchedTogether = 4;
 /// Limits of the bodies of a group that leaves as one: before the long searches of single bodies, and after them.
@@ -63,6 +81,7 @@ class GreedySearch {
     for (const auto& step : question.rules.placed) {
       for (const std::size_t body : step.group) placed_[body] = true;
     }
+    clusters_ = clustersOf(question);
     if (question.resumed != nullptr) resume(*question.resumed);
   }
 
@@ -124,6 +143,8 @@ class GreedySearch {
   bool wave() {
     if (leaveAtPlaces(false)) return true;
     if (stopped()) return false;
+    if (clustersLeave()) return true;
+    if (stopped()) return false;
     if (askAll(openUnits(0, true), 0)) return true;
     if (stopped()) return false;  // a question that the stop cut off might have led to a removal
     if (leave() || flexibleLeaves()) return true;
@@ -163,7 +184,7 @@ class GreedySearch {
       if (const auto* removed = std::get_if<Removed>(&answer)) {
         const BodyGroup falling = fallingWithout(group);
         const auto violations = violationsOf(group, present_, falling, plan_.steps.size() + 1, question_);
-        waiting_[group] = makeStep(group, *removed, question_, plan_.steps.size());
+        waiting_[group] = makeStep(group, *removed, question_, present_, plan_.steps.size());
         ++wave_;
         carryOut(group, falling);
         plan_.steps.back().violates = violations;
@@ -281,6 +302,17 @@ class GreedySearch {
     return ask(groups, 0);
   }
 
+  /// Asks for the clusters that nothing joins to the base, along lines: a carriage slides off its rail before its
+  /// wheels are unscrewed.
+  bool clustersLeave() {
+    std::vector<BodyGroup> open;
+    for (const BodyGroup& cluster : clusters_) {
+      const bool mayBeAsked = isThere(cluster) && waiting_.count(cluster) == 0 && cluster.size() <= kMostBodies;
+      if (mayBeAsked && mayLeave(cluster, false) && isOpen(cluster, 0)) open.push_back(cluster);
+    }
+    return askAll(std::move(open), 0);
+  }
+
   /// Asks for the assemblies of the file along lines, whatever their size: a carriage slides off its rail.
   bool assembliesLeave() {
     std::vector<BodyGroup> open;
@@ -338,7 +370,7 @@ class GreedySearch {
     if (cut) return false;
     for (std::size_t i = 0; i < groups.size(); ++i) {
       if (const auto* removed = std::get_if<Removed>(&answers[i])) {
-        waiting_[groups[i]] = makeStep(groups[i], *removed, question_, plan_.steps.size());
+        waiting_[groups[i]] = makeStep(groups[i], *removed, question_, present_, plan_.steps.size());
       } else {
         refusals_[groups[i]][effort] = {std::get<Refused>(answers[i]).blockedBy, plan_.steps.size()};
       }
@@ -482,6 +514,7 @@ class GreedySearch {
   BodySet placed_;                           ///< bodies that have a demanded place
   std::map<BodyGroup, Refusal> notAtPlace_;  ///< steps that were refused at their place
   std::vector<double> volumes_;              ///< box volumes of the bodies
+  std::vector<BodyGroup> clusters_;          ///< see clustersOf()
   Refusals refusals_;
   std::map<BodyGroup, AssemblyStep> waiting_;  ///< motions that are known and not yet carried out
   std::size_t wave_ = 0;

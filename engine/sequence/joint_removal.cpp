@@ -123,28 +123,61 @@ std::optional<JointRemoval::Turn> JointRemoval::otherEnd(const Turn& turn, const
 RemovalAnswer JointRemoval::tryTurn(const BodyGroup& group, const BodySet& present, const Turn& turn,
                                     const StopToken& stop) {
   const MovingObject& object = worlds_.object(group);
+  const std::vector<Pose> turned = turnedAlong(turn.screw, object.X_WB, turn.advance, kOffShare * object.required);
+  if (turnIsFree(*worlds_.world(group, present).world->makeQuery(), turn, object)) {
+    RemovalAnswer answer = leaveAfter(turned, turn.screw.axis_W, group, present, stop);
+    const auto* refused = std::get_if<Refused>(&answer);
+    if (refused == nullptr || refused->stopped) return answer;
+  }
+  const Pose end = outOf(othersBox(group), turned.back(), turn.screw.axis_W, object);
+  return Refused{blockersOf(group, present, turn, {turned.back(), end}, stop), stop.stopRequested()};
+}
+
+/// The motion from the end of a turn: straight on, along another line, or along two lines. The refusal names no body.
+RemovalAnswer JointRemoval::leaveAfter(const std::vector<Pose>& turned, const Vector3& axis, const BodyGroup& group,
+                                       const BodySet& present, const StopToken& stop) {
+  const MovingObject& object = worlds_.object(group);
   const MotionWorld motion = worlds_.world(group, present);
   const auto query = motion.world->makeQuery();
-  // The end has to be outside of all other bodies of the product, since the step may come earlier in another order.
-  const Box3 others = boxOf(product_, without(BodySet(product_.bodies.size(), true), group));
-  const std::vector<Pose> turned = turnedAlong(turn.screw, object.X_WB, turn.advance, kOffShare * object.required);
-  if (turnIsFree(*query, turn, object)) {
-    std::vector<Vector3> directions{turn.screw.axis_W};
-    for (const Vector3& direction : removalDirections(product_, fits_, group.front())) directions.push_back(direction);
-    for (const Vector3& direction : directions) {
-      Path path{computedPoints(wayOn(turned, direction, object, others)), {}};
-      const Pose& last = path.points.back().q;
-      const auto free = query->checkMotion(turned.back(), last, object.required, SeekViolation::Any, stop);
-      if (stop.stopRequested()) return Refused{{}, true};
-      if (free.status != CertificateStatus::Certified) continue;
-      path.certificate = certifyPath(*query, path.points, worlds_.parameters(group), stop);
-      if (path.certificate.status != CertificateStatus::Certified) continue;
-      nameByProduct(path.certificate, motion.bodies);
-      return Removed{std::move(path), kTurned, fits_.fitsOf(group, present)};
-    }
+  const Box3 others = othersBox(group);
+  const auto certified = [&](const std::vector<Pose>& on) {
+    std::vector<Pose> all = turned;
+    all.insert(all.end(), on.begin() + 1, on.end());
+    Path path{computedPoints(all), {}};
+    path.certificate = certifyPath(*query, path.points, worlds_.parameters(group), stop);
+    nameByProduct(path.certificate, motion.bodies);
+    return path;
+  };
+  std::vector<Vector3> directions{axis};
+  for (const Vector3& direction : removalDirections(product_, fits_, group.front())) directions.push_back(direction);
+  for (const Vector3& direction : directions) {
+    const Pose end = outOf(others, turned.back(), direction, object);
+    const auto free = query->checkMotion(turned.back(), end, object.required, SeekViolation::Any, stop);
+    if (stop.stopRequested()) return Refused{{}, true};
+    if (free.status != CertificateStatus::Certified) continue;
+    Path path = certified({turned.back(), end});
+    if (path.certificate.status != CertificateStatus::Certified) continue;
+    return Removed{std::move(path), kTurned, fits_.fitsOf(group, present)};
   }
-  const Pose end = wayOn(turned, turn.screw.axis_W, object, others).back();
-  return Refused{blockersOf(group, present, turn, {turned.back(), end}, stop), stop.stopRequested()};
+  const std::vector<Pose> lines = lines_.linesFrom(turned.back(), group, motion, others, stop);
+  if (lines.empty()) return Refused{{}, stop.stopRequested()};
+  Path path = certified(lines);
+  if (path.certificate.status != CertificateStatus::Certified) return Refused{{}, stop.stopRequested()};
+  return Removed{std::move(path), kTurned, fits_.fitsOf(group, present)};
+}
+
+std::vector<Pose> JointRemoval::turnOut(const BodyGroup& group, const BodySet& present,
+                                        const std::vector<std::size_t>& opened) {
+  const auto turn = commonTurn(group, opened);
+  const MovingObject& object = worlds_.object(group);
+  if (!turn || !turnIsFree(*worlds_.world(group, present).world->makeQuery(), *turn, object)) return {};
+  return turnedAlong(turn->screw, object.X_WB, turn->advance, kOffShare * object.required);
+}
+
+/// The box of all other bodies of the product: the end of a step has to be outside of it, because the step may come
+/// earlier in another order.
+Box3 JointRemoval::othersBox(const BodyGroup& group) const {
+  return boxOf(product_, without(BodySet(product_.bodies.size(), true), group));
 }
 
 /// Proves the turn for all angles. The chords of the path deviate from the turn by a share of the clearance. Sample
@@ -159,12 +192,10 @@ bool JointRemoval::turnIsFree(CollisionQuery& query, const Turn& turn, const Mov
   return query.screwClearance(object.X_WB, turn.screw, turn.advance, apart, off) >= object.required + off;
 }
 
-std::vector<Pose> JointRemoval::wayOn(std::vector<Pose> poses, const Vector3& direction, const MovingObject& object,
-                                      const Box3& others) {
-  Pose end = poses.back();
-  end.position += wayOutOf(boundingBox(*object.mesh, end), others, direction, leavingMargin(object.radius)) * direction;
-  poses.push_back(end);
-  return poses;
+Pose JointRemoval::outOf(const Box3& others, Pose from, const Vector3& direction, const MovingObject& object) {
+  const Box3 box = boundingBox(*object.mesh, from);
+  from.position += wayOutOf(box, others, direction, leavingMargin(object.radius)) * direction;
+  return from;
 }
 
 /// Tests each of the other bodies alone; returns those that the motion hits.

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 #include <tuple>
+
+#include "engine/geometry/joined_sets.h"
 
 namespace glissade {
 namespace {
@@ -102,54 +103,69 @@ JointRules::JointRules(Joints joints, const AssembledProduct& product, const std
     for (const std::size_t body : bodies) ofBody_[body].push_back(i);
   }
   bond(product);
+  findStacks(fasteners);
   findTasks(product);
 }
 
 void JointRules::bond(const AssembledProduct& product) {
-  std::vector<std::size_t> first(product.bodies.size());  // the lowest body that each body is bonded to
-  std::iota(first.begin(), first.end(), std::size_t{0});
+  JoinedSets bonds(product.bodies.size());
   for (const Joint& joint : joints_) {
     if (!isBonded(joint)) continue;
     for (const std::size_t other : joint.others) {
-      const auto [low, high] = std::minmax(first[joint.body], first[other]);
-      const std::size_t from = high;
-      const std::size_t to = low;
-      std::replace(first.begin(), first.end(), from, to);
+      bonds.join(static_cast<std::uint32_t>(joint.body), static_cast<std::uint32_t>(other));
     }
   }
-  std::map<std::size_t, BodyGroup> groups;
-  for (std::size_t body = 0; body < first.size(); ++body) groups[first[body]].push_back(body);
-  for (auto& [body, group] : groups) {
-    if (group.size() > 1) bonded_.push_back(std::move(group));
+  bonded_ = std::move(bonds).several();
+}
+
+void JointRules::findStacks(const std::vector<FastenerKind>& fasteners) {
+  JoinedSets sets(isNut_.size());
+  const auto join = [&](std::size_t one, std::size_t other) {
+    sets.join(static_cast<std::uint32_t>(one), static_cast<std::uint32_t>(other));
+  };
+  for (const Joint& joint : joints_) {
+    if (joint.kind != JointKind::Screw && joint.kind != JointKind::Nut) continue;
+    for (const std::size_t other : joint.others) {
+      if (joint.kind == JointKind::Nut || isNut_[other]) join(joint.body, other);
+    }
+    for (const std::size_t clamped : joint.clamped) {
+      if (fasteners[clamped] == FastenerKind::Washer) join(joint.body, clamped);
+    }
+  }
+  stacks_ = std::move(sets).several();
+  stackOf_.assign(isNut_.size(), 0);
+  for (std::size_t i = 0; i < stacks_.size(); ++i) {
+    for (const std::size_t body : stacks_[i]) stackOf_[body] = i + 1;
   }
 }
 
-/// Joints are alike by designation, or by thread and drive without one. Bolts with nuts are tasks apart from other
-/// screws.
+/// Joints are alike by designation, or by thread and drive without one, if they clamp the same bodies beside their
+/// washers.
 void JointRules::findTasks(const AssembledProduct& product) {
-  using Key = std::tuple<JointKind, bool, std::string, std::vector<long>, std::vector<std::size_t>>;
-  std::map<Key, std::vector<std::size_t>> alike;
+  using Key = std::tuple<JointKind, std::string, std::vector<long>, std::vector<std::size_t>>;
+  std::map<Key, std::set<std::size_t>> alike;
   std::vector<Key> order;
   for (const Joint& joint : joints_) {
-    if (!isScrewed(joint.kind) || joint.clamped.empty()) continue;
+    const std::size_t stack = stackOf_[joint.body];
+    if (!isScrewed(joint.kind) || (joint.clamped.empty() && stack == 0)) continue;
+    const BodyGroup own = stack == 0 ? BodyGroup{joint.body} : stacks_[stack - 1];
     std::vector<std::size_t> clamped = joint.clamped;
+    std::erase_if(clamped, [&](std::size_t body) { return has(own, body); });
     std::sort(clamped.begin(), clamped.end());
-    const auto sizes = joint.designation.empty() ? sizesOf(joint) : std::vector<long>();
-    for (const bool isBolt : {false, true}) {
-      if (isBolt && (joint.kind != JointKind::Nut || joint.others.size() != 1)) continue;
-      const Key key{joint.kind, isBolt, joint.designation, sizes, clamped};
-      const auto [at, isNew] = alike.try_emplace(key);
-      if (isNew) order.push_back(key);
-      at->second.push_back(isBolt ? joint.others.front() : joint.body);
-    }
+    // Stacks that clamp nothing are alike to no other stack.
+    if (clamped.empty()) clamped = own;
+    const Key key{joint.kind, joint.designation, joint.designation.empty() ? sizesOf(joint) : std::vector<long>(),
+                  clamped};
+    const auto [at, isNew] = alike.try_emplace(key);
+    if (isNew) order.push_back(key);
+    at->second.insert(own.begin(), own.end());
   }
   tasks_.assign(product.bodies.size(), 0);
   std::size_t number = 0;
   for (const Key& key : order) {
-    const std::vector<std::size_t>& bodies = alike[key];
-    if (bodies.size() < 2) continue;
+    if (alike[key].size() < 2) continue;
     ++number;
-    for (const std::size_t body : bodies) tasks_[body] = number;
+    for (const std::size_t body : alike[key]) tasks_[body] = number;
   }
 }
 
@@ -203,6 +219,14 @@ std::vector<std::size_t> JointRules::opened(const BodyGroup& group, const BodySe
     if (leaves) found.push_back(index);
   }
   return found;
+}
+
+bool JointRules::isScrewedTogether(std::size_t body) const {
+  return std::any_of(ofBody_[body].begin(), ofBody_[body].end(), [&](std::size_t index) {
+    const Joint& joint = joints_[index];
+    return isScrewed(joint.kind) &&
+           (joint.body == body || std::find(joint.others.begin(), joint.others.end(), body) != joint.others.end());
+  });
 }
 
 BodyGroup JointRules::holders(const std::vector<std::size_t>& joints, const BodyGroup& group,

@@ -38,9 +38,16 @@ class JointRules {
   /// Pairs of bodies of closed joints: the second body does not move unless the first one does.
   std::vector<std::pair<std::size_t, std::size_t>> links(const BodySet& present) const;
 
+  /// True if the body is in a thread or has one, as the screw, the nut, or what they are screwed into.
+  bool isScrewedTogether(std::size_t body) const;
   /// A flexible body leaves without a proof.
   bool isFlexible(std::size_t body) const { return isFlexible_[body]; }
-  /// Number, from 1, of the body's task (alike joints that clamp the same bodies); 0: no task.
+  /// Number, from 1, of the body's fastener stack: a screw or a bolt with its nuts and washers, which a fitter puts in
+  /// as one operation; 0: no stack.
+  std::size_t stackOf(std::size_t body) const { return stackOf_[body]; }
+  /// The bodies of each stack, ascending; the stack with number n is at n - 1.
+  const std::vector<BodyGroup>& stacks() const { return stacks_; }
+  /// Number, from 1, of the body's task (the stacks of alike joints that clamp the same bodies); 0: no task.
   std::size_t taskOf(std::size_t body) const { return tasks_[body]; }
 
   /// "4 screws M3x8 and 1 nut of 5 mm".
@@ -50,6 +57,7 @@ class JointRules {
   bool isClosed(const Joint& joint, const BodySet& present) const;
   std::vector<std::size_t> jointsOf(const BodyGroup& group) const;
   void bond(const AssembledProduct& product);
+  void findStacks(const std::vector<FastenerKind>& fasteners);
   void findTasks(const AssembledProduct& product);
 
   Joints joints_;
@@ -57,6 +65,8 @@ class JointRules {
   std::vector<std::vector<std::size_t>> ofBody_;  ///< for each body, its joints of screws, nuts and flexible bodies
   std::vector<bool> isFlexible_;
   std::vector<bool> isNut_;  ///< for each body, whether it is turned off a shaft
+  std::vector<BodyGroup> stacks_;
+  std::vector<std::size_t> stackOf_;
   std::vector<std::size_t> tasks_;
 };
 

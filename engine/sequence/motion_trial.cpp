@@ -6,6 +6,7 @@
 
 #include "engine/fits/snap_ways.h"
 #include "engine/planning/path_certificate.h"
+#include "engine/planning/screw_motion.h"
 #include "engine/sequence/swept_box.h"
 
 namespace glissade {
@@ -13,6 +14,8 @@ namespace {
 
 /// Work of the automatic planner (SearchedRemoval) for each effort: about 0.1, 0.25, 1 and 4 seconds.
 constexpr std::array<std::uint64_t, MotionTrial::kMostSearches> kSearchWork{250'000, 1'000'000, 4'000'000, 16'000'000};
+
+std::uint64_t searchWork(int effort) { return kSearchWork[static_cast<std::size_t>(effort - 1)]; }
 
 /// Clearance of a tool from the bodies that it is brought past, metres.
 constexpr double kToolClearance = 1e-5;
@@ -32,7 +35,7 @@ MotionTrial::MotionTrial(const AssembledProduct& product, const ProductFits& fit
       threads_(threads),
       twoLines_(product, fits, worlds_),
       searched_(product, fits, worlds_, seed) {
-  if (joints != nullptr) jointed_.emplace(product, fits, worlds_, *joints);
+  if (joints != nullptr) jointed_.emplace(product, fits, worlds_, *joints, twoLines_);
 }
 
 /// Refuses motions that the judge would refuse because they pull a thread, whatever has found them.
@@ -51,7 +54,7 @@ RemovalAnswer MotionTrial::tryRemoval(const BodyGroup& group, const BodySet& pre
 RemovalAnswer MotionTrial::answerOf(const BodyGroup& group, const BodySet& present, int effort, const StopToken& stop) {
   if (joints_ != nullptr) {
     const std::vector<std::size_t> opened = joints_->opened(group, present);
-    if (!opened.empty()) return tryTurning(group, present, opened, stop);
+    if (!opened.empty()) return tryTurning(group, present, effort, opened, stop);
   }
   if (effort == 0) return tryDirectly(group, present, stop);
   RemovalAnswer answer = Refused{};
@@ -75,13 +78,13 @@ RemovalAnswer MotionTrial::search(const BodyGroup& group, const BodySet& present
     RemovalAnswer lines = twoLines_.tryRemoval(group, present, stop);
     if (std::holds_alternative<Removed>(lines)) return lines;
   }
-  return searched_.tryRemoval(group, present, kSearchWork[static_cast<std::size_t>(effort - 1)], stop);
+  return searched_.tryRemoval(group, present, searchWork(effort), stop);
 }
 
 /// A hooked group does not turn. Marked threads have rules in the motion worlds. A mesh without stated faces gets no
 /// allowance for its facets at other angles than the assembled one, unless a person marks the thread: such a group may
 /// leave along a straight line.
-RemovalAnswer MotionTrial::tryTurning(const BodyGroup& group, const BodySet& present,
+RemovalAnswer MotionTrial::tryTurning(const BodyGroup& group, const BodySet& present, int effort,
                                       const std::vector<std::size_t>& opened, const StopToken& stop) {
   if (fits_.isHooked(group, present)) return Refused{joints_->holders(opened, group, present)};
   const bool marked = fits_.isInThread(group, present);
@@ -91,7 +94,25 @@ RemovalAnswer MotionTrial::tryTurning(const BodyGroup& group, const BodySet& pre
   if (held != nullptr && !held->stopped && !marked && hasFacetsOnly(group, opened)) {
     answer = straight_.tryRemoval(group, present, stop);
   }
-  return answer;
+  const auto* refused = std::get_if<Refused>(&answer);
+  if (effort == 0 || marked || refused == nullptr || refused->stopped) return answer;
+  RemovalAnswer searched = searchAfterTurn(group, present, effort, opened, stop);
+  return std::holds_alternative<Removed>(searched) ? searched : answer;
+}
+
+/// The turn out of the threads, then a search.
+RemovalAnswer MotionTrial::searchAfterTurn(const BodyGroup& group, const BodySet& present, int effort,
+                                           const std::vector<std::size_t>& opened, const StopToken& stop) {
+  const std::vector<Pose> turned = jointed_->turnOut(group, present, opened);
+  if (turned.empty()) return Refused{{}, stop.stopRequested()};
+  RemovalAnswer answer = searched_.tryRemoval(group, present, turned.back(), searchWork(effort), stop);
+  auto* rest = std::get_if<Removed>(&answer);
+  if (rest == nullptr) return answer;
+  std::vector<PathPoint> points = computedPoints(turned);
+  points.insert(points.end(), rest->path.points.begin() + 1, rest->path.points.end());
+  auto whole = certified(group, points, kTurned, present, stop);
+  if (!whole) return Refused{{}, stop.stopRequested()};
+  return std::move(*whole);
 }
 
 /// True if a body that turns in these joints, or a body that it turns in, has no stated faces.

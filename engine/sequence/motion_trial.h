@@ -9,8 +9,9 @@
 
 namespace glissade {
 
-/// Tries removals with the collision kernel and the planners. Effort 0 is straight lines and turns out of threads;
-/// higher efforts are searches, each with four times the budget of the one below.
+/// Tries removals with the collision kernel and the planners. Effort 0 is straight lines and turns out of threads, with
+/// up to two lines after the turn; higher efforts are searches, of a turned body after the turn, each with four times
+/// the budget of the one below.
 class MotionTrial final : public RemovalTrial {
  public:
   /// Largest number of search efforts.
@@ -42,8 +43,10 @@ class MotionTrial final : public RemovalTrial {
   RemovalAnswer answerOf(const BodyGroup& group, const BodySet& present, int effort, const StopToken& stop);
   RemovalAnswer tryDirectly(const BodyGroup& group, const BodySet& present, const StopToken& stop);
   RemovalAnswer search(const BodyGroup& group, const BodySet& present, int effort, const StopToken& stop);
-  RemovalAnswer tryTurning(const BodyGroup& group, const BodySet& present, const std::vector<std::size_t>& opened,
-                           const StopToken& stop);
+  RemovalAnswer tryTurning(const BodyGroup& group, const BodySet& present, int effort,
+                           const std::vector<std::size_t>& opened, const StopToken& stop);
+  RemovalAnswer searchAfterTurn(const BodyGroup& group, const BodySet& present, int effort,
+                                const std::vector<std::size_t>& opened, const StopToken& stop);
   bool hasFacetsOnly(const BodyGroup& group, const std::vector<std::size_t>& opened) const;
   BodyGroup pulledOff(const BodyGroup& group, const std::vector<PathPoint>& path, const BodySet& present);
   bool keepsToBends(const BodyGroup& group, const std::vector<PathPoint>& path, const BodySet& present);
@@ -57,8 +60,8 @@ class MotionTrial final : public RemovalTrial {
   TurnedRemoval turned_;
   const JointRules* joints_;
   const ThreadDemands* threads_;
-  std::optional<JointRemoval> jointed_;  ///< set if there are joints
   TwoLineRemoval twoLines_;
+  std::optional<JointRemoval> jointed_;  ///< set if there are joints
   SearchedRemoval searched_;
 };
 

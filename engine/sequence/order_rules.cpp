@@ -166,7 +166,6 @@ BodyGroup bodiesNamed(const AssembledProduct& product, const std::string& name) 
 
 Result<BodySet> stayingBodies(const AssembledProduct& product, const std::vector<std::string>& names) {
   BodySet staying(product.bodies.size(), false);
-  if (names.empty()) staying[largestBody(product)] = true;
   for (const std::string& name : names) {
     const BodyGroup bodies = bodiesNamed(product, name);
     for (const std::size_t body : bodies) staying[body] = true;

@@ -87,7 +87,7 @@ struct OrderRules {
 /// The bodies with this id, or whose ids end in "/" and this name; empty if there is none.
 BodyGroup bodiesNamed(const AssembledProduct& product, const std::string& name);
 
-/// The bodies with these names, which do not leave; the largest body if there are no names. Error, Usage with
+/// The bodies with these names, which do not leave; none if there are no names. Error, Usage with
 /// `location` "stay": a name that no body has.
 Result<BodySet> stayingBodies(const AssembledProduct& product, const std::vector<std::string>& names);
 

@@ -20,6 +20,12 @@ double turnsIn(const ThreadRule& rule, const RigidBody& body, const RigidBody& o
   return std::abs(turnsWhileEngaged(ThreadPair(rule, *body.mesh, other), configurations));
 }
 
+bool needsTool(std::size_t body, const BodySet& present, const SequenceQuestion& question) {
+  if (question.tools.empty() || question.tools[body].empty()) return false;
+  if (question.joints == nullptr || !question.joints->isScrewedTogether(body)) return true;
+  return !question.joints->opened({body}, present).empty();
+}
+
 /// The direction of the body's joint, else an axis of the world that nobody forbids.
 Vector3 flexibleDirection(std::size_t body, const SequenceQuestion& question) {
   std::vector<Vector3> directions;
@@ -107,7 +113,7 @@ void addAllowances(AssemblyStep& step, const BodyGroup& group, const std::vector
 }
 
 AssemblyStep makeStep(const BodyGroup& group, const Removed& removed, const SequenceQuestion& question,
-                      std::size_t afterSteps) {
+                      const BodySet& present, std::size_t afterSteps) {
   const AssembledProduct& product = question.product;
   const MotionCertificate& certificate = removed.path.certificate;
   AssemblyStep step;
@@ -116,7 +122,7 @@ AssemblyStep makeStep(const BodyGroup& group, const Removed& removed, const Sequ
   step.method = removed.method;
   step.with = idsOf({group.begin() + 1, group.end()}, product);
   if (group.size() == 1 && !question.fasteners.empty()) step.fastener = question.fasteners[group.front()];
-  if (group.size() == 1 && !question.tools.empty() && !question.tools[group.front()].empty()) {
+  if (group.size() == 1 && needsTool(group.front(), present, question)) {
     step.tool.kind = question.tools[group.front()].front().kind;
   }
   step.proof = {afterSteps, certificate.tolerance, certificate.provedClearance, certificate.minClearance, {}};

@@ -16,9 +16,10 @@ BodyGroup groupOf(const AssemblyStep& step, const AssembledProduct& product);
 void addAllowances(AssemblyStep& step, const BodyGroup& group, const std::vector<Fit>& fits,
                    const AssembledProduct& product);
 
-/// The step by which a group leaves, proved after `afterSteps` steps; without wave and predecessors.
+/// The step by which a group leaves `present`, proved after `afterSteps` steps; without wave and predecessors. Its tool
+/// is that of a single body. A body of a screwed joint that leaves after the joint was opened needs none.
 AssemblyStep makeStep(const BodyGroup& group, const Removed& removed, const SequenceQuestion& question,
-                      std::size_t afterSteps);
+                      const BodySet& present, std::size_t afterSteps);
 
 /// The removal of a flexible body: a straight motion out of the box of the present bodies, without a proof.
 AssemblyStep makeFlexibleStep(std::size_t body, const BodySet& present, const SequenceQuestion& question,

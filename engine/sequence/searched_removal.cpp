@@ -67,10 +67,15 @@ std::unique_ptr<Planner> plannerOf(const Problem& problem, std::uint64_t seed) {
 
 RemovalAnswer SearchedRemoval::tryRemoval(const BodyGroup& group, const BodySet& present, std::uint64_t work,
                                           const StopToken& stop) const {
+  return tryRemoval(group, present, worlds_.object(group).X_WB, work, stop);
+}
+
+RemovalAnswer SearchedRemoval::tryRemoval(const BodyGroup& group, const BodySet& present, const Pose& start,
+                                          std::uint64_t work, const StopToken& stop) const {
   const MovingObject& object = worlds_.object(group);
   const MotionWorld motion = worlds_.world(group, present);
-  Problem problem{motion.world, object.X_WB, GoalOut{}, roomAbout(motion.world->obstaclesBox(), object), nullptr, {}};
-  if (!motion.world->makeQuery()->clearAbove(object.X_WB, object.required)) return Refused{};
+  Problem problem{motion.world, start, GoalOut{}, roomAbout(motion.world->obstaclesBox(), object), nullptr, {}};
+  if (!motion.world->makeQuery()->clearAbove(start, object.required)) return Refused{};
   const auto planner = plannerOf(problem, seedOf(group, present, work));
   StepHost host(worlds_.parameters(group), stop);
   if (solveWithin(*planner, host, work)) {

@@ -14,7 +14,11 @@ class SearchedRemoval {
   SearchedRemoval(const AssembledProduct& product, const ProductFits& fits, MotionWorlds& worlds, std::uint64_t seed)
       : product_(product), fits_(fits), worlds_(worlds), seed_(seed) {}
 
-  /// `work`: limit of the planner's work. The refusal names no bodies, because a search does not know what blocked it.
+  /// The path begins at `start`, a configuration of MovingObject's frame. `work`: limit of the planner's work. The
+  /// refusal names no bodies, because a search does not know what blocked it.
+  RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, const Pose& start, std::uint64_t work,
+                           const StopToken& stop) const;
+  /// The same from the pose where the product is assembled.
   RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, std::uint64_t work,
                            const StopToken& stop) const;
 

@@ -1,7 +1,10 @@
 #include "engine/sequence/sequence_run.h"
 
+#include <algorithm>
+
 #include "engine/fits/joint_edits.h"
 #include "engine/fits/joint_finder.h"
+#include "engine/sequence/base_choice.h"
 #include "engine/sequence/demanding_trial.h"
 #include "engine/sequence/fasteners.h"
 #include "engine/sequence/joined_units.h"
@@ -64,6 +67,17 @@ Result<Joints> jointsOf(const ProductShapes& shapes, const SequenceRequest& requ
   return threads.withThreads(countingJoints(*joints, use), shapes);
 }
 
+/// The bodies that a person fixes as base; else one that suits.
+BodySet fixedBodies(const AssembledProduct& product, const ProductFits& fits, const SequenceRequest& request,
+                    const Joints& joints) {
+  BodySet fixed = request.staying;
+  if (std::find(fixed.begin(), fixed.end(), true) != fixed.end()) return fixed;
+  const LiaisonGraph graph(product.bodies.size(), fits.contacts(), joints);
+  const BodySet all(product.bodies.size(), true);
+  fixed[baseOf(product, all, graph, joints, request.demands.gravity)] = true;
+  return fixed;
+}
+
 /// Adds the demands to each announced plan, so that it can be saved and resumed.
 class SavableHost final : public SequenceHost {
  public:
@@ -106,7 +120,7 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
   auto found = jointsOf(shapes, request, threads, host.stopToken());
   if (!found) return found.error();
   const JointRules joints(std::move(*found), product, fasteners);
-  const BodySet staying = withJoined(request.staying, joints.bonded());
+  const BodySet staying = withJoined(fixedBodies(product, fits, request, joints.joints()), joints.bonded());
   joinUnits(joints.bonded(), product, *rules);
   const Outcome places = checkPlaces(product, *rules, staying);
   if (!places) return places.error();

@@ -15,7 +15,7 @@ struct NamedFigure {
   double (*value)(const StepFigures& figures);
 };
 
-constexpr std::array<NamedFigure, 15> kFigures{{
+constexpr std::array<NamedFigure, 18> kFigures{{
     {"length", [](const StepFigures& figures) { return figures.length; }},
     {"turns", [](const StepFigures& figures) { return figures.turns; }},
     {"direction_change", [](const StepFigures& figures) { return figures.directionChange ? 1.0 : 0.0; }},
@@ -31,6 +31,9 @@ constexpr std::array<NamedFigure, 15> kFigures{{
     {"distance", [](const StepFigures& figures) { return figures.distance; }},
     {"size", [](const StepFigures& figures) { return figures.size; }},
     {"early", [](const StepFigures& figures) { return figures.early; }},
+    {"in_air", [](const StepFigures& figures) { return figures.inAir ? 1.0 : 0.0; }},
+    {"open_stacks", [](const StepFigures& figures) { return figures.openStacks; }},
+    {"unfastened", [](const StepFigures& figures) { return figures.unfastened; }},
 }};
 
 const NamedFigure* figureNamed(const std::string& name) {
@@ -64,7 +67,8 @@ std::optional<RuleType> typeOfAttribute(const std::string& name, const std::map<
 
 std::vector<StepCostPreset> stepCostPresets() {
   return {{"fitter", GLISSADE_TEXT("As a fitter would"),
-           "20 * tool_blocked + 10 * falling + 4 * task_change + 4 * assembly_change + 2 * tool_change + "
+           "30 * in_air + 20 * tool_blocked + 10 * falling + 2 * unfastened + 4 * open_stacks + 4 * task_change + 4 * "
+           "assembly_change + 2 * tool_change + "
            "4 * turn_over + direction_change + "
            "2 * distance + 4 * size * early - 4 * fragile * early"},
           {"balanced", GLISSADE_TEXT("Balanced"), "length + direction_change + tool_change + 10 * falling"},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/sequence/base_choice.h"
 #include "engine/sequence/best_first_strategy.h"
 #include "engine/sequence/forwarding_trial.h"
 #include "engine/sequence/plan_steps.h"
@@ -44,10 +45,11 @@ BodyGroup unitIn(std::size_t body, const JointRules* joints) {
   return {body};
 }
 
-std::size_t largestIn(const BodyGroup& group, const AssembledProduct& product) {
-  return *std::max_element(group.begin(), group.end(), [&](std::size_t a, std::size_t b) {
-    return boxVolume(product.bodies[a]) < boxVolume(product.bodies[b]);
-  });
+/// The base of a group, which a worker may hold in any pose.
+std::size_t baseIn(const BodySet& there, const SequenceQuestion& question) {
+  const std::vector<Contact> contacts = question.fits == nullptr ? std::vector<Contact>() : question.fits->contacts();
+  const Joints joints = question.joints == nullptr ? Joints() : question.joints->joints();
+  return baseOf(question.product, there, LiaisonGraph(there.size(), contacts, joints), joints, Vector3::Zero());
 }
 
 /// Demands on places and on groups that leave together concern the whole product, and do not hold in a line.
@@ -68,7 +70,7 @@ SequenceQuestion questionOf(const BodyGroup& group, const SequenceQuestion& ques
   BodySet there(question.product.bodies.size(), false);
   BodySet staying = there;
   for (const std::size_t body : group) there[body] = true;
-  for (const std::size_t body : unitIn(largestIn(group, question.product), question.joints)) staying[body] = true;
+  for (const std::size_t body : unitIn(baseIn(there, question), question.joints)) staying[body] = true;
   return {question.product,
           staying,
           question.seed,

@@ -44,14 +44,9 @@ std::vector<ToolUse> usesOf(const std::vector<ToolKind>& tools, std::size_t turn
   return uses;
 }
 
-/// A bolt leaves after its nut has been turned off, so it needs no tool. The nut also comes off if it is held and the
-/// bolt is turned.
+/// A nut also comes off if it is held and its bolt is turned.
 void addJointTools(const Joints& joints, ToolChoices& choices) {
   const ToolChoices byShape = choices;
-  for (const Joint& joint : joints) {
-    if (joint.kind != JointKind::Nut) continue;
-    for (const std::size_t bolt : joint.others) choices[bolt].clear();
-  }
   for (const Joint& joint : joints) {
     if (!isScrewed(joint.kind)) continue;
     std::vector<ToolUse>& own = choices[joint.body];

@@ -19,11 +19,12 @@ struct ToolUse {
   bool operator==(const ToolUse&) const = default;
 };
 
-/// For each body of a product, the tools that undo it, the preferred one first; empty: it needs none.
+/// For each body of a product, the tools that undo it, the preferred one first; empty: it needs none. A step needs a
+/// tool only if it opens a joint of the body (makeStep()).
 using ToolChoices = std::vector<std::vector<ToolUse>>;
 
-/// Chooses by demand; else by the drive of the body's joint; else by shape. A bolt whose nut is turned needs no tool.
-/// Tools for the bolt come after those for its nut.
+/// Chooses by demand; else by the drive of the body's joint; else by shape. Tools for the bolt come after those for its
+/// nut.
 /// - a screw with a head of six or four sides, a nut: socket, open wrench
 /// - a screw with a recess of six sides, or with a round head that is as high as a socket head: hex key
 /// - another screw: screwdriver

@@ -1,9 +1,9 @@
 #include "engine/sequence/two_line_removal.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "engine/planning/path_certificate.h"
+#include "engine/planning/screw_motion.h"
 #include "engine/sequence/removal_directions.h"
 
 namespace glissade {
@@ -19,37 +19,34 @@ constexpr double kLeastWay = 0.02;
 
 Box3 moved(const Box3& box, const Vector3& way) { return {box.min() + way, box.max() + way}; }
 
-/// The search for one group among others.
+/// The search for one group among others, from a configuration of the group.
 class TwoLines {
  public:
-  TwoLines(const MovingObject& object, const MotionWorld& motion, const StopToken& stop)
-      : object_(object),
+  TwoLines(const Pose& start, const MovingObject& object, const MotionWorld& motion, const Box3& others,
+           const StopToken& stop)
+      : start_(start),
+        object_(object),
         query_(motion.world->makeQuery()),
-        box_(boundingBox(*object.mesh, object.X_WB)),
-        others_(motion.world->obstaclesBox()),
+        box_(boundingBox(*object.mesh, start)),
+        others_(others),
         stop_(stop) {}
 
-  bool startsClear() { return query_->clearAbove(object_.X_WB, object_.required); }
-
-  /// The configurations of a free motion; nothing if there is none.
-  std::optional<std::vector<Pose>> find(const std::vector<Vector3>& directions) {
+  /// The configurations of a free motion; empty if there is none.
+  std::vector<Pose> find(const std::vector<Vector3>& directions) {
+    if (!query_->clearAbove(start_, object_.required)) return {};
     for (const Vector3& first : directions) {
       for (const double way : waysAlong(first)) {
         for (const Vector3& second : directions) {
-          if (stop_.stopRequested()) return std::nullopt;
+          if (stop_.stopRequested()) return {};
           if (std::abs(second.dot(first)) > kSameDirection) continue;
-          const Pose turning = along(object_.X_WB, way * first);
+          const Pose turning = along(start_, way * first);
           const double rest = wayOutOf(moved(box_, way * first), others_, second, leavingMargin(object_.radius));
           const Pose end = along(turning, rest * second);
-          if (isFree(turning, end)) return std::vector<Pose>{object_.X_WB, turning, end};
+          if (isFree(turning, end)) return {start_, turning, end};
         }
       }
     }
-    return std::nullopt;
-  }
-
-  MotionCertificate certify(const std::vector<PathPoint>& path, const ParameterValues& parameters) {
-    return certifyPath(*query_, path, parameters, stop_);
+    return {};
   }
 
  private:
@@ -62,8 +59,8 @@ class TwoLines {
   std::vector<double> waysAlong(const Vector3& direction) {
     const double length = box_.diagonal().dot(direction.cwiseAbs());
     const double farthest = kFarthest * length;
-    const MotionCheck check = query_->checkMotion(object_.X_WB, along(object_.X_WB, farthest * direction),
-                                                  object_.required, SeekViolation::First, stop_);
+    const MotionCheck check =
+        query_->checkMotion(start_, along(start_, farthest * direction), object_.required, SeekViolation::First, stop_);
     const bool isOpen = check.status == CertificateStatus::Certified;
     const double free = isOpen ? farthest : kBeforeTheEnd * check.certified * farthest;
     std::vector<double> ways;
@@ -77,6 +74,7 @@ class TwoLines {
     return check.status == CertificateStatus::Certified;
   }
 
+  const Pose& start_;
   const MovingObject& object_;
   std::unique_ptr<CollisionQuery> query_;
   Box3 box_;
@@ -88,16 +86,19 @@ class TwoLines {
 
 RemovalAnswer TwoLineRemoval::tryRemoval(const BodyGroup& group, const BodySet& present, const StopToken& stop) const {
   const MotionWorld motion = worlds_.world(group, present);
-  TwoLines lines(worlds_.object(group), motion, stop);
-  if (!lines.startsClear()) return Refused{};
-  const auto found = lines.find(directionsOf(group));
-  if (!found) return Refused{{}, stop.stopRequested()};
-  Path path;
-  for (const Pose& q : *found) path.points.push_back({q, Author::Computer});
-  path.certificate = lines.certify(path.points, worlds_.parameters(group));
+  const std::vector<Pose> lines =
+      linesFrom(worlds_.object(group).X_WB, group, motion, motion.world->obstaclesBox(), stop);
+  if (lines.empty()) return Refused{{}, stop.stopRequested()};
+  Path path{computedPoints(lines), {}};
+  path.certificate = certifyPath(*motion.world->makeQuery(), path.points, worlds_.parameters(group), stop);
   if (path.certificate.status != CertificateStatus::Certified) return Refused{{}, stop.stopRequested()};
   nameByProduct(path.certificate, motion.bodies);
   return Removed{std::move(path), kTwoLines, fits_.fitsOf(group, present)};
+}
+
+std::vector<Pose> TwoLineRemoval::linesFrom(const Pose& start, const BodyGroup& group, const MotionWorld& motion,
+                                            const Box3& others, const StopToken& stop) const {
+  return TwoLines(start, worlds_.object(group), motion, others, stop).find(directionsOf(group));
 }
 
 /// The directions of the group's bodies, without duplicates.

@@ -18,6 +18,10 @@ class TwoLineRemoval {
 
   /// See RemovalTrial::tryRemoval(). The refusal names no body.
   RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, const StopToken& stop) const;
+  /// The configurations of a free motion along two lines from `start` out of the box `others`, with `start`; empty if
+  /// none is free.
+  std::vector<Pose> linesFrom(const Pose& start, const BodyGroup& group, const MotionWorld& motion, const Box3& others,
+                              const StopToken& stop) const;
 
  private:
   std::vector<Vector3> directionsOf(const BodyGroup& group) const;

@@ -819,6 +819,19 @@ TEST_F(Cli, WhatOnlyThePlanStatesIsAConditionOfSequenceAndCheck) {
   EXPECT_NE(check.out.find(condition), std::string::npos) << check.out;
 }
 
+/// The thread takes a fifth of the wall of the nut, which is unscrewed over the end of the bolt that protrudes.
+TEST_F(Cli, ANutWithTheHoleForItsTapIsUnscrewedOverTheEndOfItsBolt) {
+  const std::string product = glissade::test::stepFile("tapped-nut.step");
+  const std::string plan = (folder / "plan.json").string();
+  const Finished sequence = run("sequence " + product + " --out " + plan);
+  EXPECT_EQ(sequence.exitCode, 0) << sequence.out;
+  EXPECT_NE(sequence.out.find("base: plate"), std::string::npos) << sequence.out;
+  EXPECT_NE(sequence.out.find("2 of 2 parts removed"), std::string::npos) << sequence.out;
+  EXPECT_NE(sequence.out.find("tool: socket 8"), std::string::npos) << sequence.out;
+  const Finished check = run("check " + product + " " + plan);
+  EXPECT_EQ(check.exitCode, 0) << check.out;
+}
+
 TEST_F(Cli, WhereNoPathIsFoundThoseThatHoldTheObjectAreNamed) {
   const std::string made = (folder / "bracket.json").string();
   const std::string product = glissade::test::stepFile("fits.step");

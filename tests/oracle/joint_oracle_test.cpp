@@ -10,6 +10,7 @@
 
 #include "tests/engine/support/directories.h"
 #include "tests/oracle/child_run.h"
+#include "tests/oracle/order_oracle.h"
 
 namespace glissade::oracle {
 namespace {
@@ -122,6 +123,7 @@ std::vector<std::string> violationsOfProduct(const std::string& product, const s
   std::filesystem::create_directories(folder);
   const std::string plan = folder / "plan.json";
   const std::string joints = folder / "joints.json";
+  const std::string fits = folder / "fits.json";
   const std::string program = test::programDirectory() + "/glissade-cli";
   const std::string use = suggested ? "suggested" : "recognised";
   const ChildEnd planned = runChild({program, "sequence", product, "--out", plan, "--joints", use}, {200.0, 4096});
@@ -131,12 +133,18 @@ std::vector<std::string> violationsOfProduct(const std::string& product, const s
   std::ofstream(joints) << found.output;
   const auto stated = readStatedJoints(joints, suggested);
   EXPECT_FALSE(stated.empty()) << product << " has screws";
-  const auto violations = violationsOf(readStatedPlan(plan), stated);
+  const ChildEnd touching = runChild({program, "fits", product, "--json"}, {60.0, 4096});
+  std::ofstream(fits) << touching.output;
+  auto violations = violationsOf(readStatedPlan(plan), stated);
+  const auto ofOrder = orderViolationsOf(readStatedPlan(plan), stated, readStatedContacts(fits));
+  violations.insert(violations.end(), ofOrder.begin(), ofOrder.end());
   std::filesystem::remove_all(folder);
   return violations;
 }
 
 TEST(JointOracle, AcceptsThePlanOfAProductWithScrewsAndNuts) {
+  EXPECT_EQ(violationsOfProduct(test::stepFileDirectory() + "/tapped-nut.step", "nut", false),
+            std::vector<std::string>());
   const std::string product = test::stepFileDirectory() + "/fits.step";
   EXPECT_EQ(violationsOfProduct(product, "fits", false), std::vector<std::string>());
   EXPECT_EQ(violationsOfProduct(product, "suggested", true), std::vector<std::string>());

@@ -348,16 +348,30 @@ void writeRoundFits(const std::string& file) {
   product.write(file);
 }
 
-/// A hexagon of 16 mm about z, 8 mm high, from `bottom` up.
-TopoDS_Shape hexagonAt(double bottom) {
+/// A hexagon about z, from `bottom` up; millimetres across the flats, and its height.
+TopoDS_Shape hexagonAt(double bottom, double across = 16, double height = 8) {
   BRepBuilderAPI_MakePolygon outline;
   for (int corner = 0; corner < 6; ++corner) {
     const double angle = corner * std::numbers::pi / 3;
-    const double radius = 8 / std::cos(std::numbers::pi / 6);
+    const double radius = 0.5 * across / std::cos(std::numbers::pi / 6);
     outline.Add(gp_Pnt(radius * std::cos(angle), radius * std::sin(angle), bottom));
   }
   outline.Close();
-  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()), gp_Vec(0, 0, 8));
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()), gp_Vec(0, 0, height));
+}
+
+/// A bolt M5 through a plate, with a nut of 8 mm that has the hole for the tap, 4.2 mm. The shaft protrudes from the
+/// nut.
+void writeTappedNut(const std::string& file) {
+  Product product;
+  const TDF_Label unit = product.assembly("unit");
+  const auto add = [&](const char* name, const TopoDS_Shape& shape) {
+    product.put(product.part(name, shape), unit, at(0, 0, 0));
+  };
+  add("plate", BRepAlgoAPI_Cut(blockAt(0, 0, 0, 60, 60, 10), shaft(0, 0, -5, 2.5, 20)));
+  add("ISO 4014 M5x25", BRepAlgoAPI_Fuse(shaft(0, 0, -15, 2.5, 25), hexagonAt(10, 8, 3.5)));
+  add("ISO 4032 M5", BRepAlgoAPI_Cut(hexagonAt(-4, 8, 4), shaft(0, 0, -5, 2.1, 20)));
+  product.write(file);
 }
 
 /// A bolt M10 through a plate, with a nut: all of their cylinders have 10 mm. `scale`: as in a file with wrong units.
@@ -499,6 +513,7 @@ void writeAll(const std::string& folder) {
   writeFits(folder + "/fits.step");
   writeCloseFits(folder + "/close-fits.step");
   writeRoundFits(folder + "/round-fits.step");
+  writeTappedNut(folder + "/tapped-nut.step");
   writeBoltAndNut(folder + "/bolt-and-nut.step", 1.0);
   writeBoltAndNut(folder + "/large-bolt-and-nut.step", 25.4);
   writeValidated(folder + "/validated.step", 1.0, 0.0);

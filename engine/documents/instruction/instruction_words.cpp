@@ -74,10 +74,6 @@ std::string turnSentence(const Viewpoint& from, const Viewpoint& to, const Docum
   return words(left ? GLISSADE_TEXT("Turn the product to the left.") : GLISSADE_TEXT("Turn the product to the right."));
 }
 
-std::string countedName(const std::string& name, std::size_t count) {
-  return count == 1 ? name : std::to_string(count) + " × " + name;
-}
-
 std::string capitalized(std::string text) {
   if (text.empty()) return text;
   const auto first = static_cast<unsigned char>(text[0]);

@@ -13,9 +13,6 @@ std::string workSentence(const AssemblyStep& step, const std::string& what, cons
 /// The instruction between two viewpoints: "Turn the product over."; empty: none.
 std::string turnSentence(const Viewpoint& from, const Viewpoint& to, const DocumentWords& words);
 
-/// A name with its count, "4 × nut", or only "nut" for one.
-std::string countedName(const std::string& name, std::size_t count);
-
 /// The text with a capital first letter, if that is a letter of ASCII or Latin-1.
 std::string capitalized(std::string text);
 

@@ -145,12 +145,9 @@ class Instructor {
     } else {
       panel.fetched = fetched(coming);
     }
-    std::string what;
-    for (const FetchedPart& part : panel.fetched) {
-      what += (what.empty() ? "" : ", ") + countedName(part.name, part.count);
-    }
-    panel.work = workSentence(panel.steps.front(), what, words_.words());
-    if (panel.steps.size() >= kCrosswise && isScrewed(panel.steps.front())) {
+    panel.work = workOf(panel);
+    const auto screwed = std::count_if(panel.steps.begin(), panel.steps.end(), isScrewed);
+    if (static_cast<std::size_t>(screwed) >= kCrosswise) {
       panel.notes.push_back(say(GLISSADE_TEXT("Start all by hand, then tighten crosswise.")));
     }
     std::set<std::string> said;
@@ -169,6 +166,21 @@ class Instructor {
       const std::string note = say(GLISSADE_TEXT("Needs support: %1"), {supported(step.falling)});
       if (said.insert(note).second) panel.notes.push_back(note);
     }
+  }
+
+  /// A sentence for each step that brings a part of another kind: "Insert 3 × bolt. Screw on 3 × nut."
+  std::string workOf(const InstructionPanel& panel) const {
+    std::string work;
+    for (const AssemblyStep& step : panel.steps) {
+      const Ids bodies = step.bodies();
+      std::string what;
+      for (const FetchedPart& part : panel.fetched) {
+        if (std::find(bodies.begin(), bodies.end(), part.bodies.front()) == bodies.end()) continue;
+        what += (what.empty() ? "" : ", ") + countedName(part.name, part.count);
+      }
+      if (!what.empty()) work += (work.empty() ? "" : " ") + workSentence(step, what, words_.words());
+    }
+    return work;
   }
 
   /// Warns of the parts that fall out when the product is turned over: neither a joint nor a part that was put on later

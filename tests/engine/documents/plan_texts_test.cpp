@@ -74,14 +74,6 @@ TEST(PlanWords, AFastenerIsNamedByItsDesignationOrElseByTheSizeOfItsThread) {
   EXPECT_EQ(work(), "screw into cap, 2.7 turns") << "the other side is named as a part";
 }
 
-TEST(PlanWords, TheBaseHasAReason) {
-  const AssembledProduct product = test::lockedDrawer();
-  AssemblyPlan plan = somePlan();
-  EXPECT_EQ(wordsIn(Language::English).base(plan, product), "cabinet (the largest part)");
-  plan.staying = {"drawer"};
-  EXPECT_EQ(wordsIn(Language::English).base(plan, product), "drawer (user-defined)");
-}
-
 TEST(PlanWords, AToolHasTheSizeOfTheHexagonThatItTurns) {
   const AssembledProduct product = test::lockedDrawer();
   AssemblyStep step = somePlan().steps[0];

@@ -159,14 +159,18 @@ TEST(JointRules, AlikeScrewsThatClampTheSameAreOneTask) {
   EXPECT_EQ(toString(rules.inWords(rules.holding({1}, BodySet(7, true), false))), "2 screws M3x8 and 1 screw M4x8");
 }
 
-TEST(JointRules, TheBoltsOfAlikeNutsAreOneTaskBesideThatOfTheNuts) {
-  Joints joints{screwIn(2, {3}, {1}), screwIn(4, {5}, {1})};
-  for (Joint& joint : joints) joint.kind = JointKind::Nut;
-  const JointRules rules = rulesOf(joints, 6);
-  EXPECT_EQ(rules.taskOf(2), rules.taskOf(4));
-  EXPECT_EQ(rules.taskOf(3), rules.taskOf(5));
-  EXPECT_NE(rules.taskOf(2), rules.taskOf(3));
-  EXPECT_NE(rules.taskOf(3), 0U);
+TEST(JointRules, ABoltItsNutAndItsWashersAreOneStackAndAlikeStacksAreOneTask) {
+  Joints joints{screwIn(2, {3}, {1, 6}), screwIn(4, {5}, {1, 7}), screwIn(8, {0}, {1})};
+  for (const std::size_t nut : {0, 1}) joints[nut].kind = JointKind::Nut;
+  std::vector<FastenerKind> kinds(9, FastenerKind::None);
+  kinds[6] = kinds[7] = FastenerKind::Washer;
+  const JointRules rules(joints, boxesInARow(9), kinds);
+  EXPECT_EQ(rules.stacks(), (std::vector<BodyGroup>{{2, 3, 6}, {4, 5, 7}}));
+  EXPECT_EQ(rules.stackOf(3), 1U);
+  EXPECT_EQ(rules.stackOf(7), 2U);
+  EXPECT_EQ(rules.stackOf(1), 0U) << "a clamped part is no fastener";
+  EXPECT_EQ(rules.stackOf(8), 0U) << "a screw alone";
+  for (const std::size_t body : {2, 3, 4, 5, 6, 7}) EXPECT_EQ(rules.taskOf(body), 1U) << body;
 }
 
 TEST(JointRules, SuggestedJointsCountWhereTheyAreAskedFor) {
@@ -221,6 +225,65 @@ TEST(JointPlan, EitherOfTwoBodiesThatAreScrewedTogetherTurnsOffTheOther) {
     }
     EXPECT_TRUE(judgePlan(plan, product, std::nullopt, {}).valid());
   }
+}
+
+/// A roof over the screw leaves room for it to be lifted out of its hole, and a wall closes the way to one side.
+TEST(JointPlan, AScrewBelowARoofLeavesAlongTwoLinesAfterItsTurn) {
+  AssembledProduct product = screwedCover();
+  const auto add = [&](const RigidBody& body) {
+    product.bodies.push_back(aboutTheirMiddles({body}).front());
+    product.deflections.push_back(0.0);
+  };
+  add(boxBody("roof", {0.03, 0.03, 0.002}, Pose::translation({0.0, 0.0, 0.0185})));
+  add(boxBody("wall", {0.002, 0.03, 0.02}, Pose::translation({0.016, 0.0, 0.01})));
+  test::QuietHost host;
+  SequenceRequest request{{true, false, false, true, true}};
+  const Joints joints{screwIn(2, {0}, {1})};
+  request.joints = &joints;
+  const auto plan = planSequence(product, test::fitsOf(product), request, host);
+  ASSERT_TRUE(plan.ok());
+  ASSERT_FALSE(plan->steps.empty());
+  EXPECT_EQ(plan->steps.front().body, "screw");
+  EXPECT_EQ(plan->steps.front().method, kTurned);
+  EXPECT_TRUE(judgePlan(*plan, product, std::nullopt, {}).valid());
+}
+
+TEST(JointPlan, AClusterThatNothingJoinsToTheBaseLeavesAsOneAndIsTakenApart) {
+  AssembledProduct product = screwedCover();
+  product.bodies.push_back(
+      aboutTheirMiddles({boxBody("rail", {0.5, 0.02, 0.02}, Pose::translation({0.0, 0.0, -0.036}))}).front());
+  product.deflections.push_back(0.0);
+  const AssemblyPlan plan = planOf(product, {screwIn(2, {0}, {1})}, "rail");
+  ASSERT_EQ(plan.steps.size(), 1U);
+  EXPECT_EQ(plan.steps.front().bodies(), (std::vector<std::string>{"base", "cover", "screw"}));
+  ASSERT_EQ(plan.lines.size(), 1U);
+  EXPECT_EQ(plan.lines.front().staying, std::vector<std::string>{"base"});
+  EXPECT_EQ(plan.lines.front().steps.size(), 2U);
+  EXPECT_EQ(plan.lines.front().steps.front().body, "screw");
+}
+
+/// The bolt turns out of a nut that cannot turn: the tool belongs to the step of the bolt.
+TEST(JointPlan, TheToolBelongsToTheStepThatOpensTheJoint) {
+  const AssembledProduct product =
+      test::productOf({partOf("base", test::makeRing(0.0029, 0.03, 0.0049, 48), {0.0, 0.0, -0.0025}),
+                       partOf("bolt", headedScrew(), Vector3::Zero()),
+                       partOf("nut", test::makeRing(0.0026, 0.005, 0.004, 36), {0.0, 0.0, -0.0091}),
+                       boxBody("stop", {0.02, 0.02, 0.004}, Pose::translation({0.0, 0.0, -0.0184}))});
+  Joint joint = screwIn(2, {1}, {0});
+  joint.kind = JointKind::Nut;
+  joint.direction = -Vector3::UnitZ();
+  const Joints joints{joint};
+  test::QuietHost host;
+  SequenceRequest request{{true, false, false, true}};
+  request.joints = &joints;
+  request.demands.fasteners = {{"bolt", "screw"}, {"nut", "nut"}};
+  request.demands.tools = {{"bolt", "hex_key"}, {"nut", "socket"}};
+  request.demands.before = {{"bolt", "nut"}};
+  const auto plan = planSequence(product, test::fitsOf(product), request, host);
+  ASSERT_TRUE(plan.ok());
+  ASSERT_EQ(test::orderOf(*plan), (std::vector<std::string>{"bolt", "nut"}));
+  EXPECT_EQ(plan->steps[0].tool.kind, ToolKind::HexKey);
+  EXPECT_EQ(plan->steps[1].tool.kind, ToolKind::None) << "the nut is loose";
 }
 
 TEST(JointPlan, WithoutJointsTheScrewIsPulled) {

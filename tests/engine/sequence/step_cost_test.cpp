@@ -38,6 +38,10 @@ TEST(StepCost, KnowsTheFiguresOfAStep) {
   EXPECT_EQ(costOf("tool_blocked + 2 * task_change", around), 3.0);
   EXPECT_EQ(costOf("assembly_change + distance", around), 0.75);
   EXPECT_EQ(costOf("size + early", around), 0.875);
+  around.inAir = true;
+  around.unfastened = 2.0;
+  around.openStacks = 3.0;
+  EXPECT_EQ(costOf("100 * in_air + 10 * unfastened + open_stacks", around), 123.0);
   EXPECT_EQ(costOf("as-found", around), 0.0);
 }
 

@@ -37,7 +37,7 @@ AssemblyPlan planWith(const AssembledProduct& product, const OrderRules& rules) 
   for (const char* id : {"one", "two"}) {
     const BodyGroup group{*product.indexOf(id)};
     const RemovalAnswer answer = trial.tryRemoval(group, question.initial(), 0, {});
-    plan.steps.push_back(makeStep(group, std::get<Removed>(answer), question, plan.steps.size()));
+    plan.steps.push_back(makeStep(group, std::get<Removed>(answer), question, question.initial(), plan.steps.size()));
     plan.steps.back().wave = plan.steps.size();
   }
   addPrecedence(plan, question, host);

@@ -1,0 +1,68 @@
+#include "engine/sequence/holding.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "engine/geometry/joined_sets.h"
+
+namespace glissade {
+namespace {
+
+const Joints& jointsOf(const SequenceQuestion& question) {
+  static const Joints kNone;
+  return question.joints == nullptr ? kNone : question.joints->joints();
+}
+
+std::vector<Contact> contactsOf(const SequenceQuestion& question) {
+  return question.fits == nullptr ? std::vector<Contact>() : question.fits->contacts();
+}
+
+bool isAnyThere(const std::vector<std::size_t>& bodies, const BodySet& there) {
+  return std::any_of(bodies.begin(), bodies.end(), [&](std::size_t body) { return there[body]; });
+}
+
+/// True if the fastener and a body that it is screwed or pressed into are there.
+bool isWhole(const Joint& joint, const BodySet& there) { return there[joint.body] && isAnyThere(joint.others, there); }
+
+}  // namespace
+
+Holding::Holding(const SequenceQuestion& question)
+    : question_(question), graph_(question.product.bodies.size(), contactsOf(question), jointsOf(question)) {
+  for (const Joint& joint : jointsOf(question)) {
+    if (isScrewed(joint.kind) || joint.kind == JointKind::Pin) fastening_.push_back(&joint);
+  }
+  joined_ = bodiesIn(joinedToBase(question.initial()));
+}
+
+bool Holding::isInAir(const BodyGroup& group, const BodySet& remaining) const {
+  return !graph_.liaisons().empty() && std::none_of(group.begin(), group.end(), [&](std::size_t body) {
+    return isAnyThere(graph_.neighboursOf(body), remaining);
+  });
+}
+
+std::size_t Holding::unfastened(const BodySet& remaining) const {
+  const BodySet joined = joinedToBase(remaining);
+  return static_cast<std::size_t>(std::count_if(joined_.begin(), joined_.end(),
+                                                [&](std::size_t body) { return remaining[body] && !joined[body]; }));
+}
+
+BodySet Holding::joinedToBase(const BodySet& there) const {
+  JoinedSets sets(there.size());
+  const auto join = [&](std::size_t one, std::size_t other) {
+    if (there[other]) sets.join(static_cast<std::uint32_t>(one), static_cast<std::uint32_t>(other));
+  };
+  for (const Joint* joint : fastening_) {
+    if (!isWhole(*joint, there)) continue;
+    for (const std::size_t other : joint->others) join(joint->body, other);
+    for (const std::size_t clamped : joint->clamped) join(joint->body, clamped);
+  }
+  const std::vector<std::uint32_t> setOf = std::move(sets).all();
+  std::set<std::uint32_t> ofBase;
+  for (const std::size_t body : bodiesIn(question_.staying)) ofBase.insert(setOf[body]);
+  BodySet joined(there.size(), false);
+  for (std::size_t body = 0; body < there.size(); ++body) joined[body] = there[body] && ofBase.count(setOf[body]) != 0;
+  return joined;
+}
+
+}  // namespace glissade

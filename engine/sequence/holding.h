@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/fits/liaison_graph.h"
+#include "engine/sequence/sequence_strategy.h"
+
+namespace glissade {
+
+/// What holds the bodies of a product while steps of a plan have been carried out: contacts, fits and joints.
+/// Immutable.
+class Holding {
+ public:
+  explicit Holding(const SequenceQuestion& question);
+
+  /// True if no body of the group touches a body of `remaining`, or is joined to one. In assembly, such a group is put
+  /// into the air. Always false where contacts are not known.
+  bool isInAir(const BodyGroup& group, const BodySet& remaining) const;
+  /// Number of bodies of `remaining` that screws, nuts, threads and pins joined to the base at the beginning, directly
+  /// or through others, and no longer do.
+  std::size_t unfastened(const BodySet& remaining) const;
+
+ private:
+  BodySet joinedToBase(const BodySet& there) const;
+
+  const SequenceQuestion& question_;
+  LiaisonGraph graph_;
+  std::vector<const Joint*> fastening_;  ///< screws, nuts, threads and pins
+  BodyGroup joined_;                     ///< bodies that are joined to the base at the beginning
+};
+
+}  // namespace glissade
