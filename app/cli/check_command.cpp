@@ -41,12 +41,10 @@ class CheckProgress {
   int percent_ = -1;
 };
 
-/// The exit code is 0 for a valid path or plan. A refusal that was shown counts more than a stop. Shapes that files
-/// state and that are no bodies make the verdict conditional: they may be in the way.
+/// A refusal that was shown counts more than a stop.
 int exitCodeOf(bool valid, bool refused, const MissingShapes& missing, const Interrupt& interrupt,
                const StopToken& stop) {
-  if (valid && !missing.empty()) return kExitUnderConditions;
-  if (valid) return 0;
+  if (valid) return exitCodeWithout(missing);
   if (!refused && interrupt.requested()) return exitCode(ErrorKind::Interrupted);
   if (!refused && stop.stopRequested()) return exitCode(ErrorKind::LimitReached);
   return exitCode(ErrorKind::NoPath);

@@ -7,6 +7,7 @@
 #include "engine/base/diagnostic.h"
 #include "engine/collision/motion_certificate.h"
 #include "engine/files/scenario.h"
+#include "engine/model/missing_shape.h"
 #include "engine/session/session.h"
 
 namespace glissade::cli {
@@ -27,8 +28,10 @@ struct Console {
 
 /// Exit code of a plan that is complete or valid except for flexible bodies that leave without a proof.
 inline constexpr int kExitWithoutProof = 6;
-/// Exit code of a plan that is valid only under conditions that it states itself.
+/// Exit code of a path or a plan that is valid only under conditions.
 inline constexpr int kExitUnderConditions = 7;
+/// Exit code of a valid path or plan where these shapes are no bodies: they may be in the way.
+inline int exitCodeWithout(const MissingShapes& missing) { return missing.empty() ? 0 : kExitUnderConditions; }
 
 /// Prints one JSON document to stdout.
 void printJson(const nlohmann::ordered_json& json);

@@ -250,8 +250,8 @@ void printText(const SessionSnapshot& end, const CollisionWorld& world, const Co
                  {percent(shares[0]), percent(shares[1]), percent(shares[2])}});
 }
 
-int exitCodeOf(const SessionSnapshot& end) {
-  if (end.state == SessionState::Solved) return 0;
+int exitCodeOf(const SessionSnapshot& end, const MissingShapes& missing) {
+  if (end.state == SessionState::Solved) return exitCodeWithout(missing);
   if (end.state == SessionState::Stopped) return exitCode(ErrorKind::Interrupted);
   return exitCode(end.problem ? end.problem->kind : ErrorKind::Internal);
 }
@@ -350,7 +350,7 @@ int deliver(const PlanOptions& options, const LoadedScenario& scenario, const Se
     noteError(*notWritten, options.console);
     return exitCode(notWritten->kind);
   }
-  return exitCodeOf(end);
+  return exitCodeOf(end, scenario.missing);
 }
 
 }  // namespace glissade::cli

@@ -427,7 +427,7 @@ int exitCodeOf(const AssemblyPlan& plan, bool hasConditions, const MissingShapes
       if (bodiesApart(plan) < plan.removed()) return exitCode(ErrorKind::NoPath);
       if (hasConditions) return kExitUnderConditions;
       if (plan.removedWithoutProof() > 0) return kExitWithoutProof;
-      return missing.empty() ? 0 : kExitUnderConditions;
+      return exitCodeWithout(missing);
     case PlanEnd::Stuck: return exitCode(ErrorKind::NoPath);
     case PlanEnd::TimeLimit: return exitCode(ErrorKind::LimitReached);
     case PlanEnd::Interrupted: break;

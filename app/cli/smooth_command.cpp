@@ -56,18 +56,20 @@ int runSmooth(const SmoothOptions& options) {
   const double before = metricLength(path, problem);
   const double after = metricLength(shorter, problem);
   if (options.console.json) {
-    const nlohmann::ordered_json report{{"metric_length_before_m", before},
-                                        {"metric_length_m", after},
-                                        {"configurations_before", path.points.size()},
-                                        {"configurations", shorter.points.size()},
-                                        {"certificate", toJson(shorter.certificate, *problem.world)}};
+    nlohmann::ordered_json report{{"metric_length_before_m", before},
+                                  {"metric_length_m", after},
+                                  {"configurations_before", path.points.size()},
+                                  {"configurations", shorter.points.size()},
+                                  {"certificate", toJson(shorter.certificate, *problem.world)}};
+    addUncertainties(*loaded, shorter.points, report["certificate"]);
     printJson(report);
   } else {
     options.console.print({GLISSADE_TEXT("from %1 m to %2 m in the metric, from %3 to %4 configurations, %5"),
                            {rounded(before), rounded(after), path.points.size(), shorter.points.size(),
                             inWords(shorter.certificate, *problem.world)}});
+    for (const Message& line : uncertaintiesInWords(*loaded, shorter.points)) options.console.print(line);
   }
-  return 0;
+  return exitCodeWithout(loaded->missing);
 }
 
 }  // namespace glissade::cli

@@ -96,7 +96,8 @@ void checkNames(const Question& question, const std::vector<StatedAllowance>& st
 /// of its assembly.
 void notePull(const PairQuestion& asked, const PairFit& fit, const FitWords& words, PlacedBodies& placed,
               PathVerdict& verdict, const StopToken& stop) {
-  if (fit.thread || !fit.isThinned() || !words.partingOf(asked.moving.id, asked.other.id).empty()) return;
+  if (fit.thread || fit.acceptedClash || !fit.isThinned() || !words.partingOf(asked.moving.id, asked.other.id).empty())
+    return;
   double overlap = 0.0;
   for (const AppliedAllowance& each : fit.applied) overlap = std::max(overlap, each.evidence.overlap);
   const bool isCalled =

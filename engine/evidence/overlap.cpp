@@ -395,14 +395,15 @@ struct ShaftInHole {
 };
 
 /// Adds the depth of tilted shafts at the walls of their holes. A tilted shaft is deepest at the rims, where the face
-/// around the hole is nearer to its points than the wall. The wall counts across the axis of the hole.
+/// around the hole is nearer to its points than the wall. The wall counts across the axis of the hole. A shaft that is
+/// as deep as a clash is beside the hole, or a clash.
 void deepenHoles(const PlacedBody& body, const PlacedBody& other, Overlap& overlap) {
   for (const RoundFace& hole : body.rounds) {
     for (const RoundFace& round : other.rounds) {
       const ShaftInHole pair{hole, round};
       if (!pair.goesThrough()) continue;
-      const double depth = std::min(kClashOverlap, pair.depth(other));
-      if (depth <= kLeastDepth || pair.hasKnob(other)) continue;
+      const double depth = pair.depth(other);
+      if (depth <= kLeastDepth || depth > kClashOverlap || pair.hasKnob(other)) continue;
       for (std::uint32_t t = 0; t < body.mesh.triangles.size(); ++t) {
         double& ofRegion = overlap.depths[body.regions.of[t]];
         if (ofRegion > 0.0 && ofRegion < depth && isOf(hole, body, t)) ofRegion = depth;

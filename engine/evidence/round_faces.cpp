@@ -32,19 +32,28 @@ std::vector<std::uint32_t> smoothSurfaces(const FaceRegions& regions) {
   return first;
 }
 
+/// True if an arc with this chord, metres, is a straight line within the tolerance of its vertices. Each plane is a
+/// part of a cylinder that is wide enough.
+bool isFlat(double radius, double chord) {
+  const double rise = radius - std::sqrt(std::max(0.0, radius * radius - 0.25 * chord * chord));
+  return rise <= vertexTolerance(radius);
+}
+
 /// The cylinder about the axis through the points.
 std::optional<RoundFace> roundThrough(const std::vector<Vector3>& points, const Vector3& axis) {
   const auto circle = fitCircle(points, axis);
   if (!circle) return std::nullopt;
   RoundFace round{circle->middle, axis, circle->radius};
   const double off = vertexTolerance(round.radius);
+  double chord = 0.0;
   for (const Vector3& p : points) {
+    chord = std::max(chord, (p - points.front()).cross(axis).norm());
     if (std::abs((p - round.point).cross(axis).norm() - round.radius) > off) return std::nullopt;
     const double along = (p - round.point).dot(axis);
     round.low = std::min(round.low, along);
     round.high = std::max(round.high, along);
   }
-  return round;
+  return isFlat(round.radius, chord) ? std::nullopt : std::optional(round);
 }
 
 /// The direction to which the normals of the triangles are perpendicular.

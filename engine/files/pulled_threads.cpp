@@ -1,11 +1,9 @@
 #include "engine/files/pulled_threads.h"
 
-#include <algorithm>
 #include <map>
 
 #include "engine/files/scenario_fits.h"
 #include "engine/fits/fit_words.h"
-#include "engine/fits/joint_finder.h"
 #include "engine/fits/judged_threads.h"
 
 namespace glissade {
@@ -38,35 +36,21 @@ ObjectInFits objectInFits(const LoadedScenario& scenario) {
   return found;
 }
 
-bool joins(const Joint& joint, std::size_t one, std::size_t other) {
-  const auto isOther = [&](std::size_t body) {
-    return std::find(joint.others.begin(), joint.others.end(), body) != joint.others.end();
-  };
-  return (joint.body == one && isOther(other)) || (joint.body == other && isOther(one));
-}
-
 }  // namespace
 
 std::vector<Message> pulledThreadsOf(const LoadedScenario& scenario, const std::vector<PathPoint>& path,
                                      const StopToken& stop) {
   const SequenceDemands& demands = scenario.scenario.sequence;
   if (scenario.fits.allowed.empty() || demands.jointUse == JointUse::Off) return {};
-  ObjectInFits found = objectInFits(scenario);
+  const ObjectInFits found = objectInFits(scenario);
   const AssembledProduct& product = found.product;
   const std::size_t object = product.bodies.size() - 1;
-  const Joints joints = findJoints(product, stop);
   const std::vector<Pose> configurations = configurationsOf(path);
   std::vector<JointEdit> edits = scenario.scenario.joints;
   edits.insert(edits.end(), demands.joints.begin(), demands.joints.end());
   JudgedThreads judged(product, partingsOf(edits));
   std::vector<Message> pulled;
   for (std::size_t other = 0; other < object; ++other) {
-    const bool isScrewedIn = std::any_of(joints.begin(), joints.end(), [&](const Joint& joint) {
-      return isScrewed(joint.kind) && joint.state != JointState::Suggested && joins(joint, object, other);
-    });
-    if (isScrewedIn) {
-      for (Fit& fit : found.fits[other]) fit.kind = ContactKind::Thread;
-    }
     const Message thread = evidence::pulledThread(judged.of(object, other, found.fits[other], stop), configurations);
     if (thread.empty()) continue;
     pulled.push_back({GLISSADE_TEXT("not for assembly: the path pulls '%1' through the thread of '%2' without a turn "

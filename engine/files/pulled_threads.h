@@ -10,8 +10,8 @@
 namespace glissade {
 
 /// Says which threads a path pulls the object off instead of turning it out, one sentence for each other body; empty:
-/// none. Shapes and names show the threads, as in sequences (findJoints()); a person's word about the fit of a pair is
-/// heeded. A path of one object may do that, because its world takes it thinner there.
+/// none. The threads are those that the judge sees (evidence::commonThreads()); a person's word about the fit of a pair
+/// is heeded. A path of one object may do that, because its world takes it thinner there.
 std::vector<Message> pulledThreadsOf(const LoadedScenario& scenario, const std::vector<PathPoint>& path,
                                      const StopToken& stop = {});
 

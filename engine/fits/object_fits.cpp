@@ -155,6 +155,7 @@ class FitFinder {
       }
     } else if (decision.given || !isClearInThread(fit, found)) {
       if (bounds.depth > 0.0 && takeWithoutThread(fit, found)) return;
+      if (fit.kind == ContactKind::Clash && namesCut(obstacle) && takeHollow(fit, found, bounds.depth)) return;
       takeThinner(fit, bounds, found, decision.accepted);
     }
   }
@@ -165,6 +166,13 @@ class FitFinder {
     if (depth <= 0.0 || isFree(object_.mesh, fit.obstacle, body(fit.obstacle).mesh, found.at)) return;
     if (takeHollow(fit, found, depth) || takeScrewHole(fit, found, depth)) return;
     refuseClash(fit, found, depth);
+  }
+
+  /// True if a person names the one body of the pair that is cut, and states no allowance.
+  bool namesCut(std::size_t obstacle) const {
+    const FitEdit* edit = editAbout(obstacle);
+    const bool hasAllowance = edit != nullptr && edit->allowance;
+    return !hasAllowance && words_.isCut(object_.id) != words_.isCut(body(obstacle).id);
   }
 
   /// True if the object is clear in a modelled thread, so that it is not thinned.

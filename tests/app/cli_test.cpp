@@ -805,6 +805,37 @@ TEST_F(Cli, ABoltThatIsPulledThroughItsNutIsSaidByPlanAndCheck) {
   EXPECT_FALSE(saysBoth()) << "no joints are used";
 }
 
+/// Nothing shows a thread in a hole that is as wide as the shaft.
+TEST_F(Cli, ABoltInAPlainHoleIsNoThreadForPlanAndCheck) {
+  const std::string made = (folder / "bolt.json").string();
+  const std::string path = (folder / "path.json").string();
+  const std::string product = glissade::test::stepFile("bolt-in-plate.step");
+  ASSERT_EQ(run("new " + made + " --moves " + product + ":bolt --static " + product).exitCode, 0);
+  const Finished plan = run("plan " + made + " --strategy auto --out " + path);
+  EXPECT_EQ(plan.exitCode, 0) << plan.err;
+  const Finished check = run("check " + made + " " + path);
+  EXPECT_EQ(check.exitCode, 0) << check.out;
+  EXPECT_EQ((plan.out + check.out).find("not for assembly"), std::string::npos) << plan.out << check.out;
+}
+
+TEST_F(Cli, APathWithoutAShapeThatTheFileStatesHoldsOnACondition) {
+  const std::string made = (folder / "bolt.json").string();
+  const std::string path = (folder / "path.json").string();
+  const std::string product = glissade::test::stepFile("bolt-and-nut.step");
+  ASSERT_EQ(run("new " + made + " --moves " + product + ":plate --static " + product).exitCode, 0);
+  Json scenario = Json::parse(read(made));
+  scenario.erase("checksum");
+  ASSERT_EQ(scenario["bodies"].size(), 2U);
+  scenario["bodies"].erase(1);
+  std::ofstream(made) << scenario;
+  for (const std::string& command : {"plan " + made + " --strategy auto --out " + path, "check " + made + " " + path,
+                                     "smooth " + made + " " + path + " " + path}) {
+    const Finished end = run(command);
+    EXPECT_EQ(end.exitCode, 7) << command << end.out << end.err;
+    EXPECT_NE(end.out.find("without these shapes, which the file states"), std::string::npos) << end.out;
+  }
+}
+
 /// No standard thread has the pitch that is taken for a bolt of 254 mm, as in a file with wrong units: both commands
 /// ask for a person's word.
 TEST_F(Cli, WhatOnlyThePlanStatesIsAConditionOfSequenceAndCheck) {

@@ -374,8 +374,9 @@ void writeTappedNut(const std::string& file) {
   product.write(file);
 }
 
-/// A bolt M10 through a plate, with a nut: all of their cylinders have 10 mm. `scale`: as in a file with wrong units.
-void writeBoltAndNut(const std::string& file, double scale) {
+/// A bolt M10 through a plate, with a nut or without: all of their cylinders have 10 mm. `scale`: as in a file with
+/// wrong units.
+void writeBolt(const std::string& file, double scale, bool hasNut) {
   gp_Trsf larger;
   larger.SetScale(gp_Pnt(), scale);
   Product product;
@@ -385,7 +386,7 @@ void writeBoltAndNut(const std::string& file, double scale) {
   };
   add("plate", BRepAlgoAPI_Cut(blockAt(0, 0, 0, 60, 60, 10), shaft(0, 0, -5, 5, 20)));
   add("bolt", BRepAlgoAPI_Fuse(shaft(0, 0, -15, 5, 25), hexagonAt(10)));
-  add("nut", BRepAlgoAPI_Cut(hexagonAt(-8), shaft(0, 0, -10, 5, 20)));
+  if (hasNut) add("nut", BRepAlgoAPI_Cut(hexagonAt(-8), shaft(0, 0, -10, 5, 20)));
   product.write(file);
 }
 
@@ -514,8 +515,9 @@ void writeAll(const std::string& folder) {
   writeCloseFits(folder + "/close-fits.step");
   writeRoundFits(folder + "/round-fits.step");
   writeTappedNut(folder + "/tapped-nut.step");
-  writeBoltAndNut(folder + "/bolt-and-nut.step", 1.0);
-  writeBoltAndNut(folder + "/large-bolt-and-nut.step", 25.4);
+  writeBolt(folder + "/bolt-and-nut.step", 1.0, true);
+  writeBolt(folder + "/bolt-in-plate.step", 1.0, false);
+  writeBolt(folder + "/large-bolt-and-nut.step", 25.4, true);
   writeValidated(folder + "/validated.step", 1.0, 0.0);
   writeValidated(folder + "/validated-wrong.step", 1.05, 1.0);
   writeOddShapes(folder + "/odd-shapes.step");

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/random_stream.h"
 #include "engine/geometry/primitives.h"
 #include "tests/engine/check/check_bodies.h"
 #include "tests/engine/fits/ring.h"
@@ -113,6 +114,28 @@ TEST(Overlap, OfATiltedShaftWithItsHoleIsThatAtTheRims) {
   const Overlap overlap = overlapIn(plate, rod, {});
   EXPECT_NEAR(deepestIn(plate, overlap), atRim, 0.01 * atRim);
   EXPECT_LT(overlap.deepest, 0.95 * atRim) << "the depth that people accept is the distance from the surface";
+}
+
+/// A shaft that is as deep as a clash is no reason to thin the wall by a millimetre.
+TEST(Overlap, OfATiltedShaftInAFarNarrowerHoleIsWhatIsMeasured) {
+  const PlacedBody plate = placed(test::holedPlate(72, 0.0041, 0.02, -0.004, 0.004), Pose::identity());
+  TriangleMesh rod = test::prism(72, 0.0046, 0.06);
+  for (Vector3& v : rod.vertices) v.z() -= 0.03;
+  const Overlap overlap = overlapIn(plate, placed(rod, tilted()), {});
+  EXPECT_LE(deepestIn(plate, overlap), overlap.deepest);
+}
+
+/// Each plane is a part of a cylinder that is wide enough.
+TEST(RoundFaces, APlaneHasNone) {
+  const TriangleMesh holed = test::holedPlate(72, 0.0041, 0.02, -0.004, 0.004);
+  RandomStream random(51, "planes");
+  for (int round = 0; round < 40; ++round) {
+    const Vector3 axis(random.normal(), random.normal(), random.normal());
+    const Quaternion turn(Eigen::AngleAxisd(random.uniform(0.0, 3.0), axis.normalized()));
+    const PlacedBody plate = placed(holed, {Vector3(0.1, 0.2, 0.3), turn});
+    EXPECT_EQ(plate.rounds.size(), 2U);
+    for (const RoundFace& face : plate.rounds) EXPECT_LT(face.radius, 0.021);
+  }
 }
 
 /// A wider hole would let the knob pass.

@@ -165,6 +165,24 @@ TEST(ObjectFits, WhereItIsNotClearWhichBodyIsCutAPersonNamesIt) {
   }
 }
 
+/// A foot that is drawn 1.2 mm too low. A clash is accepted that is deep enough to thin either body.
+TEST(ObjectFits, ABodyThatAPersonNamesIsCutAlsoWhereAThinnerOneIsFree) {
+  const RigidBody plate = test::partAt("plate", makeBox({0.1, 0.1, 0.02}), Pose::identity());
+  const RigidBody foot = test::partAt("foot", makeBox({0.02, 0.02, 0.05}), Pose::translation({0.0, 0.0, 0.0338}));
+  FitSettings settings = switchedOn();
+  settings.acceptedClash = 0.005;
+  const auto unnamed = findObjectFits({test::productOf({plate}, foot, settings), 1});
+  ASSERT_FALSE(unnamed->allowed.empty());
+  EXPECT_FALSE(unnamed->allowed.front().hollow);
+  for (const char* name : {"plate", "foot"}) {
+    settings.cut = {name};
+    const auto named = findObjectFits({test::productOf({plate}, foot, settings), 1});
+    ASSERT_EQ(named->allowed.size(), 2U) << name;
+    EXPECT_TRUE(named->allowed.front().hollow) << name;
+    EXPECT_EQ(named->allowed.front().yields, settings.cut.front() == "plate");
+  }
+}
+
 TEST(ObjectFits, AnOverlapOfPlanesIsPlainAndThatOfAPinIsNot) {
   const auto contactOf = [](const RigidBody& fixed, const RigidBody& object) {
     return findObjectFits({test::productOf({fixed}, object, switchedOn()), 1})->contacts.front();
