@@ -84,7 +84,7 @@ build_and_run release ""
 if [ -n "$all" ]; then
   # The layout of the sources is a test of the release build.
   if packaging/lint.sh --unrecorded; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
-  build_and_run asan "import_test files_test mutate_readers" -L 'import|scenario|fuzz'
+  build_and_run asan "import_test files_test mutate_readers api_test" -L 'import|scenario|fuzz|api'
   # The contact of the haptic loop is computed by one thread: the thread sanitizer has nothing to look for there.
   build_and_run tsan "session_test operator_test haptic_test slots_test" -L 'session|operator|slots' -E '^HapticContact'
 fi

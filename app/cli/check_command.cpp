@@ -8,11 +8,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/interrupt.h"
+#include "engine/base/time_limit.h"
 #include "engine/check/read_path.h"
 #include "engine/check/read_question.h"
 #include "engine/check/verdict_report.h"
 #include "engine/files/forbidden_places_of.h"
-#include "engine/files/scenario_io.h"
 
 namespace glissade::cli {
 namespace {
@@ -58,21 +58,6 @@ int reportStopped(Diagnostic error, const Interrupt& interrupt, const Console& c
   return reportError(error, console);
 }
 
-/// Adds the forbidden places of the scenario as planners find them, and the regions that its file states.
-Outcome addForbiddenPlaces(const CheckOptions& options, const StopToken& stop, check::Question& question) {
-  if (!question.product.forbidsPlaces) return Done{};
-  const auto loaded = loadScenario(options.scenario, stop);
-  if (!loaded) return loaded.error();
-  const auto places = forbiddenPlacesOf(*loaded, loaded->scenario, stop);
-  if (!places) return places.error();
-  if (const auto warning = regionsWarning(loaded->scenario, *places, options.scenario)) {
-    reportWarnings({*warning}, options.console);
-    for (const ForbiddenPlace& place : *places) question.forbidden.push_back({place.name, place.boxes});
-  }
-  question.product.forbidsPlaces = !question.forbidden.empty();
-  return Done{};
-}
-
 int checkPath(const CheckOptions& options, const Interrupt& interrupt, const StopToken& stop) {
   if (!options.without.empty()) {
     return reportError({ErrorKind::Usage, options.scenario, "--without",
@@ -90,10 +75,9 @@ int checkPath(const CheckOptions& options, const Interrupt& interrupt, const Sto
   if (!path) return reportError(path.error(), options.console);
   auto question = check::readQuestion(options.scenario, options.fits, stop);
   if (!question) return reportStopped(question.error(), interrupt, options.console);
+  const Outcome found = addForbiddenPlaces(options.scenario, stop, *question);
   reportWarnings(question->product.warnings, options.console);
-  if (const Outcome found = addForbiddenPlaces(options, stop, *question); !found) {
-    return reportStopped(found.error(), interrupt, options.console);
-  }
+  if (!found) return reportStopped(found.error(), interrupt, options.console);
   if (options.requiredClearance) {
     ParameterValues parameters(radiusAboutOrigin(*question->object().mesh));
     const Outcome set = parameters.set(ParameterId::RequiredClearance, *options.requiredClearance);

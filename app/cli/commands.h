@@ -36,9 +36,6 @@ struct PlanOptions {
   Console console;
 };
 
-/// The operators of runs without a person, for help and errors: "none, expert, default".
-std::string operatorNames();
-
 /// glissade-cli plan: plans in lockstep and delivers a certified path. Exit code 0 solved, 5 limit
 /// reached, 4 start or goal in collision, 130 interrupted.
 int runPlan(const PlanOptions& options);

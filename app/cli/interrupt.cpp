@@ -1,7 +1,5 @@
 #include "app/cli/interrupt.h"
 
-#include <algorithm>
-#include <chrono>
 #include <ctime>
 
 namespace glissade::cli {
@@ -25,13 +23,6 @@ void Interrupt::wait() {
   while (!done_) {
     if (sigtimedwait(&signals_, nullptr, &patience) > 0) source_.requestStop();
   }
-}
-
-StopToken withTimeLimit(const StopToken& stop, double seconds) {
-  constexpr double kLongest = 1e9;
-  if (seconds <= 0.0) return stop;
-  const std::chrono::duration<double> limit(std::min(seconds, kLongest));
-  return stop.withDeadline(StopToken::Clock::now() + std::chrono::duration_cast<StopToken::Clock::duration>(limit));
 }
 
 }  // namespace glissade::cli

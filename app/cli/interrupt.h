@@ -31,7 +31,4 @@ class Interrupt {
   std::thread waiter_;
 };
 
-/// The token with a deadline in `seconds`; 0 sets none.
-StopToken withTimeLimit(const StopToken& stop, double seconds);
-
 }  // namespace glissade::cli

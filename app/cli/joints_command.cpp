@@ -10,8 +10,6 @@
 #include "app/cli/text_cells.h"
 #include "engine/files/joints_json.h"
 #include "engine/files/product_file.h"
-#include "engine/fits/joint_edits.h"
-#include "engine/sequence/product_finder.h"
 
 namespace glissade::cli {
 namespace {
@@ -143,16 +141,6 @@ void printJoints(const Joints& joints, const AssembledProduct& product) {
   for (const auto& [kind, count] : countsOf(joints)) json["counts"][kind] = count;
   json["screw_holes"] = screwHoles(joints);
   printJson(json);
-}
-
-/// The joints that were found, changed as the scenario says.
-Result<Joints> jointsOf(const ProductFile& loaded, bool confirmsSuggested, const StopToken& stop) {
-  const JointsPtr found = ProductFinder().joints(loaded.product, loaded.classes, stop);
-  if (!found) return Diagnostic{ErrorKind::Interrupted, "", "", GLISSADE_TEXT("was interrupted"), {}};
-  auto joints = applied(*found, loaded.joints, loaded.product);
-  if (!joints || !confirmsSuggested) return joints;
-  const auto confirmations = confirmationsOf(*joints, loaded.product);
-  return applied(std::move(*joints), confirmations, loaded.product);
 }
 
 }  // namespace

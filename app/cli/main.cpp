@@ -22,6 +22,7 @@
 #include "engine/base/limits.h"
 #include "engine/base/version_text.h"
 #include "engine/files/path_exporter.h"
+#include "engine/operator/simulated_operators.h"
 
 namespace {
 
@@ -98,7 +99,8 @@ ParsedCommand addPlan(const ParsedCommand& app, PlanOptions& options) {
   addChoice(plan, "--collision", options.collision, kCollisionBackendNames,
             GLISSADE_TEXT("Collision checker: kernel or fcl (default: kernel)"));
   addFitOptions(plan, options.fits, GLISSADE_TEXT("the scenario's"));
-  plan.option("--operator", options.operatorName, {GLISSADE_TEXT("Operator: %1 or replay:FILE"), {operatorNames()}});
+  plan.option("--operator", options.operatorName,
+              {GLISSADE_TEXT("Operator: %1 or replay:FILE"), {simulatedOperatorNames()}});
   plan.option("--way", options.way,
               GLISSADE_TEXT("A simulated operator follows this path, not the scenario's way-points"));
   addParameters(plan, options.parameters);

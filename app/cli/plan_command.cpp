@@ -11,10 +11,11 @@
 #include "engine/files/path_reader.h"
 #include "engine/files/run_record.h"
 #include "engine/files/scenario_io.h"
-#include "engine/operator/device_registry.h"
+#include "engine/operator/simulated_operators.h"
 #include "engine/operator/task_operator.h"
 #include "engine/planning/fine/coarse_preview.h"
 #include "engine/session/replay_session.h"
+#include "engine/session/run_in_lockstep.h"
 #include "engine/session/session.h"
 #include "engine/session/session_with_planners.h"
 #include "engine/study/benchmarks/peer_planners.h"
@@ -24,19 +25,12 @@ namespace {
 
 constexpr const char* kReplay = "replay:";
 
-/// The way-points of a simulated operator: those of the path file if one is given, else the scenario's way-points and
-/// its goal if it is a configuration.
-Result<std::vector<Pose>> routeOf(const PlanOptions& options, const LoadedScenario& scenario) {
-  if (!options.way.empty()) {
-    const auto points = readPath(options.way);
-    if (!points) return points.error();
-    std::vector<Pose> path;
-    for (const PathPoint& point : *points) path.push_back(point.q);
-    return taskRoute(path, scenario.problem.metric());
-  }
-  std::vector<Pose> route = scenario.scenario.wayPoints;
-  if (const Pose* goal = std::get_if<Pose>(&scenario.problem.goal)) route.push_back(*goal);
-  return route;
+/// The way-points of a simulated operator: those of the path file if one is given, else those of the scenario.
+Result<std::vector<Pose>> routeFor(const PlanOptions& options, const LoadedScenario& scenario) {
+  if (options.way.empty()) return routeOf(scenario);
+  const auto points = readPath(options.way);
+  if (!points) return points.error();
+  return taskRoute(configurationsOf(*points), scenario.problem.metric());
 }
 
 Outcome setAll(const std::map<ParameterId, double>& values, ParameterValues& parameters) {
@@ -86,20 +80,6 @@ Result<std::unique_ptr<LockstepSession>> setUpReplay(const PlanOptions& options,
                                                             std::move(planners)));
 }
 
-DeviceRegistry simulatedOperators() {
-  DeviceRegistry registry = makeDeviceRegistry();
-  addTaskOperators(registry);
-  return registry;
-}
-
-Diagnostic unknownOperator(const std::string& name) {
-  return {ErrorKind::Usage,
-          "",
-          "--operator",
-          {GLISSADE_TEXT("there is no operator '%1'"), {name}},
-          {GLISSADE_TEXT("Choose one of %1 or replay:FILE."), {operatorNames()}}};
-}
-
 /// Sets up the session of a run from the scenario, the options and (for replay) a run record. The options override the
 /// record, and the record overrides the scenario.
 Result<std::unique_ptr<LockstepSession>> setUpRun(const PlanOptions& options, const LoadedScenario& scenario,
@@ -119,31 +99,19 @@ Result<std::unique_ptr<LockstepSession>> setUpRun(const PlanOptions& options, co
   if (options.strategy) config.plannerId = lowerCase(*options.strategy);
   const Outcome planner = checkPlanner(planners, config.plannerId);
   if (!planner) return planner.error();
-  if (name == "none") return makeLockstepSession(std::move(config), std::move(planners));
-
-  const DeviceRegistry registry = simulatedOperators();
-  const DeviceEntry* entry = registry.find(name);
-  if (entry == nullptr || !entry->simulated) return unknownOperator(name);
-  auto route = routeOf(options, scenario);
+  if (name == kNoOperator) return makeLockstepSession(std::move(config), std::move(planners));
+  auto route = routeFor(options, scenario);
   if (!route) return route.error();
-  config.device =
-      entry->make({std::move(*route), scenario.problem.metric(), config.seed, nullptr, scenario.problem.world});
-  return makeLockstepSession(std::move(config), std::move(planners));
-}
-
-/// Planner steps between two checks for an interruption.
-constexpr std::uint64_t kSlice = 200;
-
-/// Plans until the run ends or a person interrupts it.
-SnapshotPtr planInLockstep(LockstepSession& session, const Interrupt& interrupt) {
-  session.post(command::Start{});
-  session.advance(0);
-  while (isRunning(*session.snapshot()) && !interrupt.requested()) session.advance(kSlice, interrupt.token());
-  if (isRunning(*session.snapshot())) {
-    session.post(command::Stop{});
-    session.advance(0);
+  auto device = makeSimulatedOperator(
+      name, {std::move(*route), scenario.problem.metric(), config.seed, nullptr, scenario.problem.world});
+  if (!device) {
+    Diagnostic why = device.error();
+    why.location = "--operator";
+    why.advice = {GLISSADE_TEXT("Choose one of %1 or replay:FILE."), {simulatedOperatorNames()}};
+    return why;
   }
-  return session.snapshot();
+  config.device = std::move(*device);
+  return makeLockstepSession(std::move(config), std::move(planners));
 }
 
 /// Warns of edits without effect. It builds its own environment model, because the planner's counts must not depend on
@@ -185,15 +153,6 @@ Outcome knowsOutput(const PlanOptions& options) {
 
 }  // namespace
 
-std::string operatorNames() {
-  std::string names = "none";
-  const DeviceRegistry registry = simulatedOperators();
-  for (const DeviceEntry& entry : registry.entries()) {
-    if (entry.simulated) names += ", " + entry.id;
-  }
-  return names;
-}
-
 int runPlan(const PlanOptions& options) {
   if (const Outcome known = knowsOutput(options); !known) return reportError(known.error(), options.console);
   const Interrupt interrupt;
@@ -209,7 +168,7 @@ int runPlan(const PlanOptions& options) {
   const auto session = setUpRun(options, *loaded, interrupt.token());
   if (!session) return reportError(session.error(), options.console);
   if (!options.console.json) options.console.print({GLISSADE_TEXT("seed %1"), {(*session)->snapshot()->seed}});
-  const SnapshotPtr end = planInLockstep(**session, interrupt);
+  const SnapshotPtr end = runInLockstep(**session, interrupt.token());
   return deliver(options, *loaded, *end, interrupt.token());
 }
 

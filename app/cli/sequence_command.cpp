@@ -12,6 +12,7 @@
 #include "app/cli/text_cells.h"
 #include "engine/base/number_text.h"
 #include "engine/base/quantity_text.h"
+#include "engine/base/time_limit.h"
 #include "engine/check/plain_overlaps.h"
 #include "engine/files/plan_file.h"
 #include "engine/files/product_file.h"

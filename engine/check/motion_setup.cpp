@@ -13,6 +13,8 @@ const MeshPtr& meshOf(const Body& body, const MeshPtr& divided, const std::vecto
 
 }  // namespace
 JudgedMotion judgeMotion(const MotionQuestion& question, MotionBodies& prepared, const WorkWatch& watch) {
+  // After a stop, the question may lack pairs.
+  if (watch.stop.stopRequested()) return {{}, GLISSADE_TEXT("the check was stopped")};
   std::map<MeshPtr, MeshPtr> inPathFrame;  // shapes of the object in the frame of the path
   const auto placed = [&](const MeshPtr& mesh) {
     MeshPtr& known = inPathFrame[mesh];

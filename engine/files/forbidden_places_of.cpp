@@ -1,5 +1,6 @@
 #include "engine/files/forbidden_places_of.h"
 
+#include "engine/files/scenario_io.h"
 #include "engine/places/held_edits.h"
 #include "engine/planning/coarse/prohibitions.h"
 
@@ -25,6 +26,20 @@ std::optional<Diagnostic> regionsWarning(const Scenario& scenario, const Forbidd
       missing ? GLISSADE_TEXT("is missing, so that the file does not say where the forbidden places are")
               : GLISSADE_TEXT("is not where the forbidden places are"),
       GLISSADE_TEXT("Write it with glissade-cli info --save-regions, or save the scenario in the window.")};
+}
+
+Outcome addForbiddenPlaces(const std::string& scenarioFile, const StopToken& stop, check::Question& question) {
+  if (!question.product.forbidsPlaces) return Done{};
+  const auto loaded = loadScenario(scenarioFile, stop);
+  if (!loaded) return loaded.error();
+  const auto places = forbiddenPlacesOf(*loaded, loaded->scenario, stop);
+  if (!places) return places.error();
+  if (const auto warning = regionsWarning(loaded->scenario, *places, scenarioFile)) {
+    question.product.warnings.push_back(*warning);
+    for (const ForbiddenPlace& place : *places) question.forbidden.push_back({place.name, place.boxes});
+  }
+  question.product.forbidsPlaces = !question.forbidden.empty();
+  return Done{};
 }
 
 }  // namespace glissade

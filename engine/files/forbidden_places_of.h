@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/base/stop_token.h"
+#include "engine/check/product.h"
 #include "engine/files/scenario.h"
 
 namespace glissade {
@@ -13,5 +14,10 @@ Result<ForbiddenPlaces> forbiddenPlacesOf(const LoadedScenario& loaded, const Sc
 /// A warning that the file does not state these places; nothing where it does.
 std::optional<Diagnostic> regionsWarning(const Scenario& scenario, const ForbiddenPlaces& places,
                                          const std::string& file);
+
+/// Gives the judge the forbidden places of the scenario as planners find them, and the regions that its file states.
+/// The scenario is read only if the question says that it forbids places. A warning is added where the file states
+/// other regions.
+Outcome addForbiddenPlaces(const std::string& scenarioFile, const StopToken& stop, check::Question& question);
 
 }  // namespace glissade

@@ -8,12 +8,21 @@
 #include "engine/files/scenario_io.h"
 #include "engine/files/sequence_knowledge.h"
 #include "engine/files/unit_guess.h"
+#include "engine/fits/joint_edits.h"
 #include "engine/import/geometry_loader.h"
 #include "engine/model/body_choice.h"
 #include "engine/places/body_labels.h"
+#include "engine/sequence/product_finder.h"
 
 namespace glissade {
 namespace {
+
+/// The sum of the two largest values.
+double largestTwo(std::vector<double> values) {
+  values.resize(std::max<std::size_t>(values.size(), 2), 0.0);
+  std::partial_sort(values.begin(), values.begin() + 2, values.end(), std::greater<>());
+  return values[0] + values[1];
+}
 
 Result<ProductFile> productOfParts(const std::string& file, const StopToken& stop, double deflection,
                                    const PartChoice& choice) {
@@ -46,34 +55,8 @@ Result<ProductFile> productOfParts(const std::string& file, const StopToken& sto
   labelBodies(loaded.product.bodies, loaded.product.tree);
   nameByLabels(loaded.warnings, loaded.product.bodies);
   loaded.product.fits.on = true;
+  loaded.deviation = largestTwo(loaded.product.deflections);
   return loaded;
-}
-
-Result<ProductFile> productOfScenario(const std::string& file, const StopToken& stop) {
-  auto scenario = loadScenario(file, stop);
-  if (!scenario) return scenario.error();
-  ProductFile loaded;
-  loaded.product = bodiesOf(*scenario);
-  auto demands = knownDemands(scenario->scenario, loaded.product);
-  if (!demands) {
-    Diagnostic why = demands.error();
-    why.file = file;
-    return why;
-  }
-  loaded.demands = std::move(*demands);
-  loaded.joints = scenario->scenario.joints;
-  loaded.classes = classesOf(semanticEditsOf(scenario->scenario), loaded.product.bodies);
-  loaded.missing = scenario->missing;
-  loaded.forbidsPlaces = forbidsPlaces(semanticEditsOf(scenario->scenario));
-  loaded.warnings = std::move(scenario->warnings);
-  return loaded;
-}
-
-/// The sum of the two largest values.
-double largestTwo(std::vector<double> values) {
-  values.resize(std::max<std::size_t>(values.size(), 2), 0.0);
-  std::partial_sort(values.begin(), values.begin() + 2, values.end(), std::greater<>());
-  return values[0] + values[1];
 }
 
 }  // namespace
@@ -82,6 +65,25 @@ AssembledProduct productOf(const LoadedScenario& scenario) {
   AssembledProduct product = bodiesOf(scenario);
   product.bodies = aboutTheirMiddles(std::move(product.bodies));
   return product;
+}
+
+Result<ProductFile> productFileOf(const LoadedScenario& scenario) {
+  ProductFile loaded;
+  loaded.product = bodiesOf(scenario);
+  auto demands = knownDemands(scenario.scenario, loaded.product);
+  if (!demands) {
+    Diagnostic why = demands.error();
+    why.file = scenario.file;
+    return why;
+  }
+  loaded.demands = std::move(*demands);
+  loaded.joints = scenario.scenario.joints;
+  loaded.classes = classesOf(semanticEditsOf(scenario.scenario), loaded.product.bodies);
+  loaded.missing = scenario.missing;
+  loaded.forbidsPlaces = forbidsPlaces(semanticEditsOf(scenario.scenario));
+  loaded.warnings = scenario.warnings;
+  loaded.deviation = largestTwo(loaded.product.deflections);
+  return loaded;
 }
 
 Result<ProductFile> readProduct(const std::string& file, const StopToken& stop, double deflection,
@@ -98,9 +100,9 @@ Result<ProductFile> readProduct(const std::string& file, const StopToken& stop, 
         GLISSADE_TEXT(
             "Name the solids when it is made: glissade-cli new OUT.json --static FILE:PART/SOLID --static FILE.")};
   }
-  auto loaded = isPart ? productOfParts(file, stop, deflection, choice) : productOfScenario(file, stop);
-  if (loaded) loaded->deviation = largestTwo(loaded->product.deflections);
-  return loaded;
+  if (isPart) return productOfParts(file, stop, deflection, choice);
+  const auto scenario = loadScenario(file, stop);
+  return scenario ? productFileOf(*scenario) : Result<ProductFile>(scenario.error());
 }
 
 Diagnostic isLeftOut(const std::string& name) {
@@ -166,6 +168,15 @@ Result<ProductFile> loadProduct(const std::string& file, const StopToken& stop, 
   }
   loaded->product.bodies = aboutTheirMiddles(std::move(loaded->product.bodies));
   return loaded;
+}
+
+Result<Joints> jointsOf(const ProductFile& loaded, bool confirmsSuggested, const StopToken& stop) {
+  const JointsPtr found = ProductFinder().joints(loaded.product, loaded.classes, stop);
+  if (!found) return Diagnostic{ErrorKind::Interrupted, "", "", GLISSADE_TEXT("was interrupted"), {}};
+  auto joints = applied(*found, loaded.joints, loaded.product);
+  if (!joints || !confirmsSuggested) return joints;
+  const auto confirmations = confirmationsOf(*joints, loaded.product);
+  return applied(std::move(*joints), confirmations, loaded.product);
 }
 
 }  // namespace glissade

@@ -28,6 +28,9 @@ struct ProductFile {
 /// middle.
 AssembledProduct productOf(const LoadedScenario& scenario);
 
+/// All bodies of a loaded scenario with its object at the start, and its demands. Errors: those of knownDemands().
+Result<ProductFile> productFileOf(const LoadedScenario& scenario);
+
 /// All bodies of the file: those of a part file (`file` as in usualPart(): a STEP file, an assembly in one, a URDF or
 /// mesh file), or those of a scenario with its object at the start. Fits are on for part files; for scenarios the file
 /// decides. `deflection`: largest distance of triangles from the surfaces of a part file, metres; 0: by the size of
@@ -42,6 +45,10 @@ Diagnostic isLeftOut(const std::string& name);
 /// Removes the bodies that a person names (bodiesMeant()), and the statements about their fits; the option --without. A
 /// warning lists them.
 Outcome leaveOut(const std::vector<std::string>& names, ProductFile& loaded);
+
+/// The joints of the product that are found, changed as the scenario says. `confirmsSuggested`: suggested joints count
+/// as if a person had confirmed each of them. Errors: those of applied(), Interrupted.
+Result<Joints> jointsOf(const ProductFile& loaded, bool confirmsSuggested, const StopToken& stop = {});
 
 /// Like readProduct(), with each body's frame in its middle, as for the object. Errors: those of readProduct(), and
 /// MalformedInput where there are less than two bodies.

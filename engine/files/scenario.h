@@ -113,6 +113,9 @@ struct LoadedScenario {
   Warnings warnings;
 };
 
+/// The plan of a simulated operator: the way-points of the scenario, and its goal if that is a configuration.
+std::vector<Pose> routeOf(const LoadedScenario& scenario);
+
 /// Largest distance of the surfaces of the object and of an obstacle from their triangles, added up, metres.
 /// Certificates are about the triangles. 0 where the triangles are exact.
 double surfaceDeviation(const LoadedScenario& scenario);

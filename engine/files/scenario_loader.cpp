@@ -415,6 +415,12 @@ Outcome saveScenario(const Scenario& scenario, const std::string& file) {
   return saved ? Outcome(Done{}) : Outcome(saved.why);
 }
 
+std::vector<Pose> routeOf(const LoadedScenario& scenario) {
+  std::vector<Pose> route = scenario.scenario.wayPoints;
+  if (const Pose* goal = std::get_if<Pose>(&scenario.problem.goal)) route.push_back(*goal);
+  return route;
+}
+
 double surfaceDeviation(const LoadedScenario& scenario) { return largestOfBoth(scenario.deflections, scenario); }
 
 double coordinateSpacing(const LoadedScenario& scenario) {

@@ -1,8 +1,12 @@
 #include "engine/import/importer_process.h"
 
+#include <dlfcn.h>
+#include <link.h>
+
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -20,10 +24,30 @@ constexpr std::size_t kMostOutput = std::size_t{40} * protocol::kMostElements +
                                     sizeof(protocol::Face) * protocol::kMostFaces +
                                     std::size_t{1024} * protocol::kMostParts;
 
-std::string besideThisProgram(const std::string& name) {
+/// The folder of the file that holds this code: the program, or the shared library. Empty where the system does not
+/// tell.
+std::filesystem::path folderOfThisCode(bool& isProgram) {
   std::error_code error;
-  const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
-  return (self.parent_path() / name).string();
+  Dl_info info{};
+  link_map* map = nullptr;
+  static const char here = 0;  // an address in the file that holds this code
+  const int found = ::dladdr1(&here, &info, reinterpret_cast<void**>(&map), RTLD_DL_LINKMAP);
+  // The map of the program itself has no name.
+  isProgram = found == 0 || map == nullptr || map->l_name == nullptr || *map->l_name == '\0';
+  const std::string file = isProgram ? "/proc/self/exe" : map->l_name;
+  return std::filesystem::canonical(file, error).parent_path();
+}
+
+/// The importing program of this name. It is in the folder that the environment names, beside this program, or, for the
+/// shared library, beside the library (a build folder) or in the folder of the installed programs.
+std::string importingProgram(const std::string& name) {
+  const char* const named = std::getenv(kProgramsFolder);
+  if (named != nullptr && *named != '\0') return (std::filesystem::path(named) / name).string();
+  bool isProgram = true;
+  const std::filesystem::path folder = folderOfThisCode(isProgram);
+  std::error_code error;
+  if (isProgram || std::filesystem::exists(folder / name, error)) return (folder / name).string();
+  return (folder / GLISSADE_PROGRAMS_FROM_LIBRARY / name).lexically_normal().string();
 }
 
 /// True if each text names each argument at most once. Others could make a text of any length of a short message.
@@ -67,7 +91,7 @@ namespace {
 
 ChildCommand commandOf(const ImporterCall& call, std::string_view content) {
   ChildCommand command;
-  command.program = besideThisProgram(call.program);
+  command.program = importingProgram(call.program);
   command.arguments = call.arguments;
   command.input = content;
   command.environment = requiredEnvironment();

@@ -14,9 +14,13 @@
 
 namespace glissade {
 
+/// The environment variable that names the folder of the importing programs. Without it they are beside the running
+/// program; for the shared library they are where it was installed.
+inline constexpr const char* kProgramsFolder = "GLISSADE_PROGRAMS";
+
 /// The call of an importing program for a file.
 struct ImporterCall {
-  std::string program;                 ///< name; the program is in the folder of this one
+  std::string program;                 ///< name
   std::vector<std::string> arguments;  ///< arguments of the program
   std::string file;                    ///< for messages
   import_protocol::Limits limits;

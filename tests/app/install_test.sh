@@ -68,6 +68,7 @@ expect_empty "$root"
 
 # The package, in a root of its own with an empty list of packages. What it depends on is that of this machine.
 (cd "$work" && "${cmake%cmake}cpack" --config "$build/CPackConfig.cmake" -G DEB -D CPACK_DEBIAN_PACKAGE_SHLIBDEPS=OFF \
+  -D CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS=OFF \
   -D CPACK_PACKAGE_DIRECTORY="$work/package" >"$work/cpack.log") || { cat "$work/cpack.log"; exit 1; }
 root=$work/root
 mkdir -p "$root/var/lib/dpkg/"{info,updates}
@@ -75,6 +76,6 @@ touch "$root/var/lib/dpkg/status"
 in_root() { dpkg --root="$root" --log="$work/dpkg.log" --force-not-root --force-depends "$@" >/dev/null 2>"$work/errors"; }
 in_root --install "$work/package/"*.deb || { cat "$work/errors"; exit 1; }
 main_job "$root/usr"
-in_root --purge glissade || { cat "$work/errors"; exit 1; }
+in_root --purge glissade libglissade0 libglissade-dev python3-glissade || { cat "$work/errors"; exit 1; }
 rm -r "$root/var"
 expect_empty "$root"

@@ -72,6 +72,10 @@ const std::map<std::string, std::set<std::string>>& allowedModules() {
       {"session", {"base", "geometry", "model", "places", "collision", "planning", "operator"}},
       {"documents", {"base", "geometry", "model", "fits", "planning", "sequence", "files"}},
       {"study", {"base", "planning", "sequence", "operator", "files"}},
+      {"api",
+       {"base", "geometry", "model", "import", "evidence", "check", "places", "collision", "fits", "planning",
+        "sequence", "operator", "sweep", "session", "files"}},
+      {"python", {}},
   };
   return allowed;
 }
@@ -112,6 +116,33 @@ TEST(Architecture, EngineModulesOnlyUseTheModulesBelowThem) {
     ++seen;
     ASSERT_TRUE(allowedModules().count(from)) << "a module without rules: " << include.from;
     EXPECT_TRUE(allowedModules().at(from).count(to)) << include.from << " includes " << include.what;
+  }
+  EXPECT_GT(seen, 10);
+}
+
+/// Programs are compiled with the public headers alone.
+TEST(Architecture, PublicHeadersIncludeTheStandardAndEigenOnly) {
+  static const std::regex allowed(R"(^([a-z_]+|Eigen/[A-Za-z]+|glissade/[a-z_]+\.h)$)");
+  int seen = 0;
+  for (const Include& include : includesUnder("engine/api/include")) {
+    ++seen;
+    EXPECT_TRUE(std::regex_match(include.what, allowed)) << include.from << " includes " << include.what;
+  }
+  EXPECT_GT(seen, 30);
+}
+
+/// Members of Eigen's types that are aligned have another layout in a program for another processor.
+TEST(Architecture, PublicHeadersNameNoAlignedTypeOfEigen) {
+  static const std::regex aligned(
+      R"(Eigen::(?!DontAlign|Matrix<double, 3, 1, Eigen::DontAlign>|Quaternion<double, Eigen::DontAlign>))");
+  const fs::path folder = fs::path(test::sourceDirectory()) / "engine/api/include/glissade";
+  int seen = 0;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    ++seen;
+    std::ifstream stream(entry.path());
+    for (std::string line; std::getline(stream, line);) {
+      EXPECT_FALSE(std::regex_search(line, aligned)) << entry.path() << ": " << line;
+    }
   }
   EXPECT_GT(seen, 10);
 }

@@ -182,14 +182,8 @@ std::unique_ptr<OperatorDevice> SessionBridge::makeDevice(const std::string& id,
   const DeviceRegistry registry = makeDeviceRegistry();
   const DeviceEntry* entry = registry.find(id);
   if (entry == nullptr) return nullptr;
-  DeviceContext context{scenario_->scenario.wayPoints,
-                        scenario_->problem.metric(),
-                        seed,
-                        hand_,
-                        scenario_->problem.world,
-                        !fixed_ && clock_ == SessionClock::RealTime};
-  if (const Pose* goal = std::get_if<Pose>(&scenario_->problem.goal)) context.route.push_back(*goal);
-  return entry->make(context);
+  return entry->make({routeOf(*scenario_), scenario_->problem.metric(), seed, hand_, scenario_->problem.world,
+                      !fixed_ && clock_ == SessionClock::RealTime});
 }
 
 void SessionBridge::begin(SessionConfig config, SessionClock clock) {

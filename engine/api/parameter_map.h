@@ -1,0 +1,14 @@
+#pragma once
+
+#include <glissade/problem.h>
+
+#include <optional>
+
+#include "engine/base/parameters.h"
+
+namespace glissade::api {
+
+/// Sets the parameters. Returns the fault of the first one that is unknown or out of its range.
+std::optional<Diagnostic> setAll(const Parameters& parameters, ParameterValues& values);
+
+}  // namespace glissade::api

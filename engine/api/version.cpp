@@ -1,0 +1,8 @@
+#include <glissade/functions.h>
+#include <glissade/version.h>
+
+namespace glissade::api {
+
+const char* libraryVersion() { return kVersion; }
+
+}  // namespace glissade::api

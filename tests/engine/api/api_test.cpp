@@ -1,0 +1,236 @@
+// The public library as a program sees it: public headers only.
+#include <glissade/glissade.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <limits>
+
+#include "tests/engine/support/directories.h"
+
+namespace {
+
+namespace g = glissade;
+using glissade::ErrorKind;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+std::string sample(const std::string& file) { return glissade::test::sourceDirectory() + "/samples/" + file; }
+
+g::Mesh cube(double edge) { return *g::Mesh::box({edge, edge, edge}); }
+
+g::Pose at(double x, double y, double z) { return {{x, y, z}, g::Quaternion::Identity()}; }
+
+/// A cube that has to get past another one.
+g::World world() { return *g::World::make({{"wall", "", cube(0.4), {}}}, cube(0.1)); }
+
+g::Problem problem() { return *g::Problem::make(world(), at(-1, 0, 0), at(1, 0, 0), g::Box{{-2, -2, -2}, {2, 2, 2}}); }
+
+TEST(Api, AScenarioIsPlannedAndCheckedAsByTheCommandLine) {
+  const auto scenario = g::load<g::Scenario>(sample("environment-1/scenario.json"));
+  ASSERT_TRUE(scenario) << scenario.error().text();
+  const g::Run run = g::plan(*scenario, {.seed = 1, .operatorName = "expert"});
+  ASSERT_TRUE(run.path) << run.path.error().text();
+  EXPECT_TRUE(run.path->certificate().certified());
+  EXPECT_GT(run.counts.randomConfigurations, 0U);
+  const auto verdict = g::check(*scenario, *run.path);
+  ASSERT_TRUE(verdict);
+  EXPECT_TRUE(verdict->valid()) << verdict->text;
+  const g::Run again = g::plan(*scenario, {.seed = 1, .operatorName = "expert"});
+  ASSERT_TRUE(again.path);
+  EXPECT_EQ(again.path->length(), run.path->length());
+}
+
+TEST(Api, AProblemOfArraysIsPlannedAndChecked) {
+  const g::Run run = g::plan(problem(), {.strategy = "birrt"});
+  ASSERT_TRUE(run.path) << run.path.error().text();
+  const auto verdict = g::check(problem(), *run.path);
+  ASSERT_TRUE(verdict);
+  EXPECT_TRUE(verdict->valid()) << verdict->text;
+  const auto straight = g::Path::make({at(-1, 0, 0), at(1, 0, 0)});
+  EXPECT_EQ(g::check(problem(), *straight)->kind, g::VerdictKind::Invalid);
+  const auto curve = g::clearance(world(), *run.path, {.samples = 20});
+  ASSERT_TRUE(curve);
+  EXPECT_GE(curve->size(), run.path->configurations().size());
+  const auto swept = g::sweep(cube(0.1), run.path->configurations(), {.bound = 0.05});
+  ASSERT_TRUE(swept) << swept.error().text();
+  EXPECT_TRUE(swept->surface.isClosed());
+}
+
+TEST(Api, AProductIsTakenApart) {
+  const auto product = g::load<g::Product>(sample("bolted-brackets/scenario.json"));
+  ASSERT_TRUE(product) << product.error().text();
+  EXPECT_FALSE(g::fits(*product)->empty());
+  EXPECT_FALSE(g::joints(*product)->empty());
+  std::size_t found = 0;
+  const auto plan = g::sequence(*product, {.progress = [&](const g::AssemblyPlan& so) { found = so.steps().size(); }});
+  ASSERT_TRUE(plan) << plan.error().text();
+  EXPECT_EQ(plan->end(), g::PlanEnd::Complete);
+  EXPECT_EQ(found, plan->steps().size());
+  EXPECT_EQ(plan->removed(), plan->parts());
+  const auto verdict = g::check(*product, *plan);
+  ASSERT_TRUE(verdict);
+  EXPECT_TRUE(verdict->valid()) << verdict->text;
+}
+
+TEST(Api, APlannerFromOutsideIsCertified) {
+  g::Planners planners;
+  std::vector<g::Pose> way;
+  const auto shows = [&](g::PlannerContext&) { return way; };
+  ASSERT_TRUE(planners.add("mine", shows));
+  EXPECT_FALSE(planners.add("mine", shows));
+  EXPECT_FALSE(planners.add("birrt", shows));
+  EXPECT_FALSE(planners.add("", shows));
+  EXPECT_FALSE(planners.add("none", {}));
+  const auto run = [&](std::vector<g::Pose> shown) {
+    way = std::move(shown);
+    return g::plan(problem(), {.strategy = "mine", .planners = &planners}).path;
+  };
+  const auto around = run({at(-1, 0, 0), at(0, 0, 1), at(1, 0, 0)});
+  ASSERT_TRUE(around) << around.error().text();
+  EXPECT_TRUE(around->certificate().certified());
+  for (const auto& wrong : std::vector<std::vector<g::Pose>>{{},
+                                                             {at(-1, 0, 0), at(1, 0, 0)},
+                                                             {at(-1, 0, 1), at(1, 0, 0)},
+                                                             {at(-1, 0, 0), at(0, 0, 1)},
+                                                             {at(-1, 0, 0), at(kNan, 0, 0)}}) {
+    const auto refused = run(wrong);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().kind, ErrorKind::NoPath) << refused.error().text();
+  }
+}
+
+TEST(Api, APlannerFromOutsideThatThrowsIsADiagnostic) {
+  g::Planners planners;
+  ASSERT_TRUE(
+      planners.add("throws", [](g::PlannerContext&) -> std::vector<g::Pose> { throw std::runtime_error("no idea"); }));
+  const g::Run run = g::plan(problem(), {.strategy = "throws", .planners = &planners});
+  ASSERT_FALSE(run.path);
+  EXPECT_NE(run.path.error().text().find("no idea"), std::string::npos) << run.path.error().text();
+}
+
+TEST(Api, APlannerFromOutsideEndsAtTheLimitOfSteps) {
+  g::Planners planners;
+  ASSERT_TRUE(planners.add("endless", [](g::PlannerContext& context) {
+    while (context.step()) {
+    }
+    return std::vector<g::Pose>();
+  }));
+  const g::Run run =
+      g::plan(problem(), {.strategy = "endless", .parameters = {{"max_steps", 500}}, .planners = &planners});
+  ASSERT_FALSE(run.path);
+  EXPECT_EQ(run.path.error().kind, ErrorKind::LimitReached) << run.path.error().text();
+}
+
+TEST(Api, WrongMeshesWorldsAndProblemsAreRefused) {
+  using Vertices = std::vector<g::Vector3>;
+  const Vertices corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  EXPECT_TRUE(g::Mesh::make(corners, {{0, 1, 2}}));
+  EXPECT_FALSE(g::Mesh::make(corners, {}));
+  EXPECT_FALSE(g::Mesh::make({}, {}));
+  EXPECT_FALSE(g::Mesh::make(corners, {{0, 1, 3}}));
+  EXPECT_FALSE(g::Mesh::make(corners, {{0, 1, 1}}));
+  EXPECT_FALSE(g::Mesh::make({{kNan, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
+  EXPECT_FALSE(g::Mesh::make({{1e12, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
+  EXPECT_FALSE(g::Mesh::box({1, 0, 1}));
+  EXPECT_FALSE(g::Mesh::box({1, kNan, 1}));
+
+  EXPECT_TRUE(g::World::make({}, cube(1)));
+  EXPECT_FALSE(g::World::make({{"", "", cube(1), {}}}, cube(1)));
+  EXPECT_FALSE(g::World::make({{"a", "", cube(1), {}}, {"a", "", cube(1), {}}}, cube(1)));
+  EXPECT_FALSE(g::World::make({{"a", "", cube(1), at(kNan, 0, 0)}}, cube(1)));
+  EXPECT_FALSE(g::World::make({{"a", "", cube(1), {{0, 0, 0}, {2, 0, 0, 0}}}}, cube(1)));
+  EXPECT_FALSE(g::Product::make({}));
+  EXPECT_FALSE(g::Product::make({{"a", "", cube(1), {}}}));
+
+  EXPECT_FALSE(g::Problem::make(world(), at(kNan, 0, 0), {}));
+  EXPECT_FALSE(g::Problem::make(world(), at(0, 0, 0), at(0, kNan, 0)));
+  EXPECT_FALSE(g::Problem::make(world(), at(0, 0, 0), {}, g::Box{{1, 1, 1}, {0, 0, 0}}));
+  EXPECT_FALSE(g::Problem::make(world(), at(0, 0, 0), {}, {}, {{"alfa", 1}}));
+  EXPECT_FALSE(g::Problem::make(world(), at(0, 0, 0), {}, {}, {{"alpha", kNan}}));
+  EXPECT_FALSE(g::Path::make({}));
+  EXPECT_FALSE(g::Path::make({at(0, kNan, 0)}));
+}
+
+TEST(Api, WrongQuestionsAreRefused) {
+  g::Query query = world().query();
+  EXPECT_TRUE(*query.collides(at(0, 0, 0)));
+  EXPECT_NEAR(query.nearest(at(1, 0, 0))->distance, 0.75, 1e-9);
+  EXPECT_TRUE(query.certify(at(-1, 0, 1), at(1, 0, 1), 1e-3)->certified());
+  EXPECT_EQ(query.certify(at(-1, 0, 0), at(1, 0, 0), 1e-3)->status, g::ProofStatus::Violated);
+  EXPECT_NEAR(*query.freeShare(at(-1, 0, 1), at(1, 0, 1), 0.01), 1.0, 1e-12);
+  EXPECT_FALSE(query.collides(at(kNan, 0, 0)));
+  EXPECT_FALSE(query.nearest(at(kNan, 0, 0)));
+  EXPECT_FALSE(query.certify(at(kNan, 0, 0), at(0, 0, 0), 1));
+  EXPECT_FALSE(query.certify(at(1, 0, 0), at(kNan, 0, 0), 1));
+  EXPECT_FALSE(query.certify(at(1, 0, 0), at(1, 0, 0), 0));
+  EXPECT_FALSE(query.certify(at(1, 0, 0), at(1, 0, 0), kNan));
+  EXPECT_FALSE(query.freeShare(at(1, 0, 0), at(1, 0, 1), 0));
+  EXPECT_FALSE(query.freeShare(at(0, 0, 0), at(1, 0, 1), 0.1));
+}
+
+TEST(Api, WrongOptionsAreRefused) {
+  const auto errorOf = [](const g::PlanOptions& options) {
+    const g::Run run = g::plan(problem(), options);
+    return run.path ? ErrorKind::Internal : run.path.error().kind;
+  };
+  EXPECT_EQ(errorOf({.strategy = "nonsense"}), ErrorKind::Usage);
+  EXPECT_EQ(errorOf({.operatorName = "nobody"}), ErrorKind::Usage);
+  EXPECT_EQ(errorOf({.parameters = {{"alfa", 1}}}), ErrorKind::Usage);
+  EXPECT_EQ(errorOf({.parameters = {{"alpha", 7}}}), ErrorKind::Usage);
+  const auto path = *g::Path::make({at(-1, 0, 0)});
+  EXPECT_FALSE(g::check(problem(), path, {.requiredClearance = 0}));
+  EXPECT_FALSE(g::check(problem(), path, {.requiredClearance = kNan}));
+  EXPECT_FALSE(g::sweep(cube(1), {}));
+  EXPECT_FALSE(g::sweep(cube(1), {at(0, 0, 0)}, {.bound = 0}));
+  EXPECT_FALSE(g::sweep(cube(1), {at(0, 0, 0)}, {.bound = kNan}));
+  EXPECT_FALSE(g::sweep(cube(1), {at(0, kNan, 0)}));
+  EXPECT_FALSE(g::clearance(world(), path, {.samples = 10'000'000'000}));
+  const auto product = *g::Product::make({{"a", "", cube(1), {}}, {"b", "", cube(1), at(2, 0, 0)}});
+  EXPECT_FALSE(g::fits(product, {.clearanceUpTo = kNan}));
+  EXPECT_FALSE(g::fits(product, {.clashAbove = -1}));
+  EXPECT_FALSE(g::sequence(product, {.strategy = "nonsense"}));
+  EXPECT_FALSE(g::sequence(product, {.staying = {"nobody"}}));
+  EXPECT_FALSE(g::sequence(product, {.timeLimit = kNan}));
+  EXPECT_TRUE(g::sequence(product, {.threads = 1}));
+}
+
+TEST(Api, FilesThatDoNotExistAreNamed) {
+  const std::string none = "/no/such/file.json";
+  EXPECT_EQ(g::load<g::Scenario>(none).error().file, none);
+  EXPECT_EQ(g::load<g::Product>(none).error().kind, ErrorKind::MalformedInput);
+  EXPECT_FALSE(g::load<g::Product>("/no/such/file.step"));
+  EXPECT_FALSE(g::load<g::Mesh>("/no/such/file.stl"));
+  EXPECT_FALSE(g::load<g::Mesh>(""));
+  EXPECT_FALSE(g::load<g::Path>(none));
+  EXPECT_FALSE(g::load<g::AssemblyPlan>(none));
+  EXPECT_FALSE(g::load<g::Product>(none, {.deflection = kNan}));
+  EXPECT_FALSE(g::load<g::Scenario>(none, {.acceptedClash = -1}));
+  EXPECT_FALSE(g::check(none, none));
+  const auto scenario = *g::load<g::Scenario>(sample("environment-1/scenario.json"));
+  const auto path = *g::Path::make({at(0, 0, 0)});
+  EXPECT_FALSE(path.save("/no/such/folder/path.csv", scenario));
+  EXPECT_EQ(path.save("path.nonsense", scenario).error().kind, ErrorKind::Usage);
+}
+
+TEST(Api, AStopEndsEveryFunction) {
+  glissade::StopSource source;
+  source.requestStop();
+  const auto stop = source.token();
+  EXPECT_EQ(g::plan(problem(), {.strategy = "birrt", .stop = stop}).path.error().kind, ErrorKind::Interrupted);
+  const auto path = *g::Path::make({at(-1, 0, 0), at(0, 0, 1), at(1, 0, 0)});
+  EXPECT_EQ(g::check(problem(), path, {.stop = stop})->kind, g::VerdictKind::Undecided);
+  const auto blocked = *g::Path::make({at(-1, 0, 0), at(1, 0, 0)});
+  EXPECT_EQ(g::check(problem(), blocked, {.stop = stop})->kind, g::VerdictKind::Undecided);
+  EXPECT_FALSE(g::sweep(cube(1), path.configurations(), {.stop = stop}));
+  EXPECT_FALSE(g::clearance(world(), path, {.stop = stop}));
+  const auto product = *g::Product::make({{"a", "", cube(1), {}}, {"b", "", cube(1), at(1, 0, 0)}});
+  EXPECT_FALSE(g::fits(product, {.stop = stop}));
+  EXPECT_FALSE(g::joints(product, {.stop = stop}));
+  EXPECT_FALSE(g::sequence(product, {.stop = stop}));
+  EXPECT_FALSE(g::load<g::Product>(sample("bolted-brackets/scenario.json"), {.stop = stop}));
+}
+
+TEST(Api, TheVersionIsThatOfTheHeaders) { EXPECT_STREQ(g::libraryVersion(), GLISSADE_VERSION); }
+
+}  // namespace

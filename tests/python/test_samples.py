@@ -1,0 +1,23 @@
+"""Each example runs and prints what it is for."""
+import subprocess
+import sys
+
+import pytest
+
+SAYS = {"clearance_plot.py": "certified", "numpy_world.py": "valid", "take_apart.py": "valid",
+        "check_certificate.py": "certificate: certified", "own_planner.py": "rrt-in-python <glissade.Path"}
+WRITES = {"clearance_plot.py": "clearance.png", "check_certificate.py": "path.csv"}
+
+
+@pytest.mark.parametrize("name", SAYS)
+def test_an_example_runs(name, samples, tmp_path):
+    out = [str(tmp_path / WRITES[name])] if name in WRITES else []
+    done = subprocess.run([sys.executable, str(samples / "python" / name), *out], capture_output=True, text=True,
+                          timeout=110)
+    assert done.returncode == 0, done.stderr
+    assert SAYS[name] in done.stdout
+    assert all((tmp_path / file).stat().st_size > 1000 for file in ([WRITES[name]] if out else []))
+
+
+def test_every_example_is_tested(samples):
+    assert {file.name for file in (samples / "python").glob("*.py")} == set(SAYS)
