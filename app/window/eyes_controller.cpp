@@ -6,6 +6,7 @@
 #include "widgets/headset/headset_controller.h"
 #include "widgets/headset/headset_panel_controller.h"
 #include "widgets/sequence/access_controller.h"
+#include "widgets/view/named_views_controller.h"
 #include "widgets/view/stereo_controller.h"
 
 namespace glissade {
@@ -19,13 +20,16 @@ EyesController::EyesController(const Workbench& bench) : QObject(&bench.window),
   auto* eyePlace = new EyePlaceKeeper(bench.scene, screenPixels, &bench.window);
   stereo_ = new StereoController(bench, *eyePlace);
   new HeadController(bench, *eyePlace);
-  new HeadsetController(bench);
+  headset_ = new HeadsetController(bench);
 }
 
 void EyesController::addTools(const RefusalController& refusal, SequenceController& sequence,
-                              const MeasuringTools& measuring, PathPanel& path) {
+                              const MeasuringTools& measuring, PathPanel& path, const NamedViewsController& views) {
   new AccessController(bench_, sequence, path);
-  new HeadsetPanelController(bench_, refusal, sequence, measuring);
+  auto* panel = new HeadsetPanelController(bench_, refusal, sequence, measuring);
+  connect(&views, &NamedViewsController::viewsChanged, panel, &HeadsetPanelController::setViews);
+  connect(panel, &HeadsetPanelController::viewChosen, headset_,
+          [this](const NamedView& view) { headset_->standAt(view.pose); });
 }
 
 void EyesController::remember(WindowMemory& memory) { stereo_->remember(memory); }

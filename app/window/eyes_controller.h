@@ -5,6 +5,8 @@
 
 namespace glissade {
 
+class HeadsetController;
+class NamedViewsController;
 class PathPanel;
 class RefusalController;
 class SequenceController;
@@ -23,11 +25,12 @@ class EyesController final : public QObject {
   /// Adds the tools of a person with a headset and the access of a hand. It is called once, after the parts of the
   /// window that the tools use exist.
   void addTools(const RefusalController& refusal, SequenceController& sequence, const MeasuringTools& measuring,
-                PathPanel& path);
+                PathPanel& path, const NamedViewsController& views);
 
  private:
   const Workbench& bench_;
   StereoController* stereo_;
+  HeadsetController* headset_;
 };
 
 }  // namespace glissade

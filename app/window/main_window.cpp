@@ -128,7 +128,7 @@ void MainWindow::addParts() {
   auto* sequence = new SequenceController(bench_);
   auto* stepCamera = new StepCamera(bench_, *sequence);
   connect(stepCamera, &StepCamera::cameraMoved, view, &ViewController::publishOperatorFrame);
-  eyes->addTools(*refusal, *sequence, {*sections, *measure}, *path->panel());
+  eyes->addTools(*refusal, *sequence, {*sections, *measure}, *path->panel(), *views_);
   new TimesController(bench_, *sequence);
   new RevisionController(bench_, *sequence);
   new ManualController(bench_);

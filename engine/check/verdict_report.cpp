@@ -294,17 +294,18 @@ namespace {
 /// How the motion of a step fails. `body`: the nearest other body; empty: there is none.
 Message failureInWords(const MotionVerdict& motion, const std::string& body) {
   if (motion.againstThread) {
-    return {GLISSADE_TEXT("its motion is violated on edge %1, because it is no turn in the thread it has with '%2'"),
-            {motion.edge, body}};
+    return {GLISSADE_TEXT("does not turn on edge %1 in the thread it has with '%2'"), {motion.edge, body}};
   }
-  if (motion.status == Status::Violated) {
-    return {body.empty() ? GLISSADE_TEXT("its motion is violated on edge %1")
-                         : GLISSADE_TEXT("its motion is violated on edge %1 by '%2'"),
-            {motion.edge, body}};
+  const bool isViolated = motion.status == Status::Violated;
+  if (body.empty()) {
+    return {isViolated ? GLISSADE_TEXT("does not keep its clearance on edge %1")
+                       : GLISSADE_TEXT("its motion is undecided on edge %1"),
+            {motion.edge}};
   }
-  return {body.empty() ? GLISSADE_TEXT("its motion is undecided on edge %1")
-                       : GLISSADE_TEXT("its motion is undecided on edge %1 by '%2'"),
-          {motion.edge, body}};
+  if (!isViolated) return {GLISSADE_TEXT("its motion is undecided on edge %1 by '%2'"), {motion.edge, body}};
+  if (motion.minClearance <= 0.0) return {GLISSADE_TEXT("penetrates '%2' on edge %1"), {motion.edge, body}};
+  return {GLISSADE_TEXT("comes within %3 of '%2' on edge %1; the required clearance is %4"),
+          {motion.edge, body, Length{motion.minClearance}, Length{motion.demanded}}};
 }
 
 }  // namespace

@@ -93,6 +93,7 @@ struct PlannerEntry {
   bool complete = true;  ///< goes on until it finds a path or is stopped; false: it may give up
   std::function<std::unique_ptr<Planner>(const Problem&, std::uint64_t seed)> make;
   bool multiLayer = false;  ///< plans coarsely first: needs the environment model
+  bool handLeads = false;   ///< the session shortens what the computer adds to the way of the hand
 };
 
 class PlannerRegistry {

@@ -120,9 +120,11 @@ PlannerRegistry allWholePlanners() {
       {"by-hand", GLISSADE_TEXT("With my hand"),
        GLISSADE_TEXT("You steer the object. The way of your hand is kept and certified, and the computer searches "
                      "from it; at α = 1 the automatic planners finish the path."),
-       true, true, [](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
+       true, true,
+       [](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
          return std::make_unique<HandPlanner>(problem, seed);
-       }});
+       },
+       false, true});
   registry.add(
       {"interactive", GLISSADE_TEXT("Interactive"),
        GLISSADE_TEXT(

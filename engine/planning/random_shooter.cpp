@@ -7,7 +7,7 @@ namespace glissade {
 Pose RandomShooter::shoot() {
   Pose q;
   if (region_) {
-    q.position = region_->sample(stream_);
+    q.position = region_->sample(stream_, bounds_);
   } else {
     for (int axis = 0; axis < 3; ++axis) q.position[axis] = stream_.uniform(bounds_.min()[axis], bounds_.max()[axis]);
   }

@@ -5,10 +5,10 @@
 
 namespace glissade {
 
-Vector3 SamplingRegion::sample(RandomStream& stream) const {
+Vector3 SamplingRegion::sample(RandomStream& stream, const Box3& bounds) const {
   const auto count = static_cast<double>(cells_.size());
   const std::size_t i = std::min(cells_.size() - 1, static_cast<std::size_t>(stream.uniform() * count));
-  const Box3 box = grid_.box(cells_[i]);
+  const Box3 box = grid_.box(cells_[i]).intersection(bounds);
   Vector3 p;
   for (int axis = 0; axis < 3; ++axis) p[axis] = stream.uniform(box.min()[axis], box.max()[axis]);
   return p;

@@ -15,8 +15,8 @@ class SamplingRegion {
   /// `cells` ascending, not empty.
   SamplingRegion(const CellGrid& grid, std::vector<std::size_t> cells) : grid_(grid), cells_(std::move(cells)) {}
 
-  /// Draws a position uniformly in the area.
-  Vector3 sample(RandomStream& stream) const;
+  /// Draws a position uniformly in the area, within the bounds. Cells at the border of the workspace reach beyond it.
+  Vector3 sample(RandomStream& stream, const Box3& bounds) const;
   bool contains(const Vector3& p_W) const;
 
   const CellGrid& grid() const { return grid_; }

@@ -48,6 +48,9 @@ struct SetSemantics {
 struct SetKnowledge {
   std::shared_ptr<const SceneKnowledge> knowledge;
 };  ///< the environment model, once built; takes effect at the next Start
+struct SetNames {
+  CollisionWorldPtr world;
+};  ///< the same world with other names of bodies, for messages from now on
 struct SetDevicePose {
   Pose q_device;
 };  ///< puts the object at this pose in the operator's hand
@@ -61,7 +64,7 @@ struct ExaminePath {
 }  // namespace command
 using Command = std::variant<command::Start, command::Pause, command::Resume, command::Stop, command::SetSeed,
                              command::SetPlanner, command::SetParameter, command::SetSemantics, command::SetKnowledge,
-                             command::SetDevicePose, command::SmoothPath, command::ExaminePath>;
+                             command::SetNames, command::SetDevicePose, command::SmoothPath, command::ExaminePath>;
 
 /// Work on a path, which may take long; Stop ends it.
 struct PathWork {

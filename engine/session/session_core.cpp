@@ -147,6 +147,7 @@ void SessionCore::carryOut(const Command& command, const WorkWatch& watch) {
                         [&](const command::SetParameter& parameter) { setParameter(parameter.id, parameter.value); },
                         [&](const command::SetSemantics& semantics) { setSemantics(semantics.edits, watch); },
                         [&](const command::SetKnowledge& known) { problem_.scene.knowledge = known.knowledge; },
+                        [&](const command::SetNames& named) { setNames(named.world); },
                         [](const command::SetDevicePose&) {},  // handled by the session's hand
                         [&](const command::SmoothPath& smooth) {
                           if (state_ != SessionState::Solved) return;
@@ -181,16 +182,25 @@ void SessionCore::setParameter(ParameterId id, double value) {
   if (left != tuned) setParameter(ParameterId::Tuning, left);  // the user has set the parameter
 }
 
+/// The reason of a run that failed may have the earlier names.
+void SessionCore::setNames(const CollisionWorldPtr& world) {
+  problem_.world = world->withForbidden(forbidden_);
+  forgetFailure();
+}
+
+void SessionCore::forgetFailure() {
+  if (state_ != SessionState::Failed) return;
+  trouble_.reset();
+  state_ = SessionState::Idle;
+}
+
 /// Sets the edits. The reason of a run that failed was about other edits. A path that leads through a place that is
 /// forbidden now does not hold any more, and a refused path is examined again, because a place may be allowed now.
 void SessionCore::setSemantics(const SemanticEditsPtr& edits, const WorkWatch& watch) {
   problem_.scene.edits = edits;
   const bool running = state_ == SessionState::Planning || state_ == SessionState::Paused;
   if (running) logger_.note(edits);
-  if (state_ == SessionState::Failed) {
-    trouble_.reset();
-    state_ = SessionState::Idle;
-  }
+  forgetFailure();
   if (!running && !path_ && !refused_) return;  // the forbidden places are computed at the start
   const ForbiddenRegionsPtr before = forbidden_->regions();
   const Outcome known = forbidByEdits(watch.stop);
@@ -304,12 +314,19 @@ void SessionCore::stopClock() {
   cpuSpent_ += cpuSeconds(*planner_) - cpuBefore_;
 }
 
-/// Delivers the path, smoothed; if smoothing fails, as it was planned.
+/// Delivers the path, smoothed; if smoothing fails, as it was planned. A path that a hand leads is delivered without
+/// the detours of the computer.
 void SessionCore::deliverPath(const StopToken& stop) {
   planned_ = std::make_shared<const Path>(*planner_->path());
   provenance_.steered = isSteered(planned_->points);
-  auto why = guarded(GLISSADE_TEXT("smoothing the path"),
-                     [&] { smoothPath(parameters_.integer(ParameterId::Smoothing), withTimeLimit(stop)); });
+  auto why = guarded(GLISSADE_TEXT("smoothing the path"), [&] {
+    const StopToken limited = withTimeLimit(stop);
+    if (provenance_.steered && registry_.find(provenance_.planner)->handLeads) {
+      planned_ = std::make_shared<const Path>(
+          withShortcutsOfComputer(*planned_, problem_, parameters_, provenance_.seed, kUsualShortcuts, limited));
+    }
+    smoothPath(parameters_.integer(ParameterId::Smoothing), limited);
+  });
   if (!why) return;
   trouble_ = std::move(why);
   path_ = planned_;

@@ -106,6 +106,8 @@ class SessionCore {
   class Host;
 
   void startRun(const StopToken& stop);
+  void setNames(const CollisionWorldPtr& world);
+  void forgetFailure();
   void setSemantics(const SemanticEditsPtr& edits, const WorkWatch& watch);
   Outcome forbidByEdits(const StopToken& stop);
   std::optional<std::string> forbiddenOn(const Path& path) const;

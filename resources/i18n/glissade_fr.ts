@@ -207,10 +207,6 @@
         <translation>Redonner aux corps sélectionnés le mode d&apos;affichage de la vue</translation>
     </message>
     <message>
-        <source>Open a scenario or an OMPL.app problem</source>
-        <translation>Ouvrir un scénario ou un problème OMPL.app</translation>
-    </message>
-    <message>
         <source>&amp;Export path...</source>
         <translation>Exporter le &amp;chemin...</translation>
     </message>
@@ -1029,10 +1025,6 @@
     <message>
         <source>Selected: as the &amp;view</source>
         <translation>Sélection : comme la &amp;vue</translation>
-    </message>
-    <message>
-        <source>&amp;Open scenario...</source>
-        <translation>&amp;Ouvrir un scénario...</translation>
     </message>
     <message>
         <source>&amp;Find path</source>
@@ -1855,10 +1847,6 @@
         <translation>Dire ce que signifient les couleurs de la scène&#xa0;: une ligne par chose dessinée en ce moment</translation>
     </message>
     <message>
-        <source>Save the pages for the line: what is done, with which tool and which parts</source>
-        <translation>Enregistrer les pages pour la ligne : ce qu&apos;il faut faire, avec quel outil et quelles pièces</translation>
-    </message>
-    <message>
         <source>Work instru&amp;ction...</source>
         <translation>Gamme de mo&amp;ntage...</translation>
     </message>
@@ -2557,6 +2545,18 @@
     <message>
         <source>Stop showing the scene in the headset</source>
         <translation>Ne plus montrer la scène dans le casque</translation>
+    </message>
+    <message>
+        <source>&amp;Open...</source>
+        <translation>&amp;Ouvrir...</translation>
+    </message>
+    <message>
+        <source>Open a scenario, a product (STEP, IGES, BREP), part files, or an OMPL.app problem</source>
+        <translation>Ouvrir un scénario, un produit (STEP, IGES, BREP), des fichiers de pièces ou un problème OMPL.app</translation>
+    </message>
+    <message>
+        <source>Save the pages for the line, once the sequence is planned: what is done, with which tool and which parts</source>
+        <translation>Enregistrer les pages pour la ligne, une fois la séquence planifiée : ce qu&apos;il faut faire, avec quel outil et quelles pièces</translation>
     </message>
 </context>
 <context>
@@ -6268,18 +6268,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>the path does not end at the scenario&apos;s goal</source>
         <translation>le chemin ne finit pas au but du scénario</translation>
-    </message>
-    <message>
-        <source>its motion is violated on edge %1, because it is no turn in the thread it has with &apos;%2&apos;</source>
-        <translation>son mouvement est réfuté sur le segment %1, car il ne tourne pas dans le filetage commun avec «&#xa0;%2&#xa0;»</translation>
-    </message>
-    <message>
-        <source>its motion is violated on edge %1</source>
-        <translation>son mouvement est réfuté sur le segment %1</translation>
-    </message>
-    <message>
-        <source>its motion is violated on edge %1 by &apos;%2&apos;</source>
-        <translation>son mouvement est réfuté sur le segment %1 par «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>its motion is undecided on edge %1</source>
@@ -11587,6 +11575,30 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <source>its triangles leave %1 {1|face|faces} open (%2)</source>
         <translation>ses triangles laissent %1 {1|face ouverte|faces ouvertes} (%2)</translation>
     </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>Ouvrir %1</translation>
+    </message>
+    <message>
+        <source>does not turn on edge %1 in the thread it has with &apos;%2&apos;</source>
+        <translation>ne tourne pas sur le segment %1 dans le filetage commun avec «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>does not keep its clearance on edge %1</source>
+        <translation>ne garde pas son jeu sur le segment %1</translation>
+    </message>
+    <message>
+        <source>penetrates &apos;%2&apos; on edge %1</source>
+        <translation>pénètre «&#xa0;%2&#xa0;» sur le segment %1</translation>
+    </message>
+    <message>
+        <source>comes within %3 of &apos;%2&apos; on edge %1; the required clearance is %4</source>
+        <translation>s&apos;approche à %3 de «&#xa0;%2&#xa0;» sur le segment %1&#xa0;; le jeu exigé est de %4</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -14117,6 +14129,10 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <source>No sequence yet</source>
         <translation>Pas encore de séquence</translation>
     </message>
+    <message>
+        <source>Stand where the camera of %1 is</source>
+        <translation>Se placer là où est la caméra de %1</translation>
+    </message>
 </context>
 <context>
     <name>glissade::HeadsetTexts</name>
@@ -15113,17 +15129,6 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>Close this message</source>
         <translation>Fermer ce message</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::OpenSavedButton</name>
-    <message>
-        <source>Open</source>
-        <translation>Ouvrir</translation>
-    </message>
-    <message>
-        <source>Open %1</source>
-        <translation>Ouvrir %1</translation>
     </message>
 </context>
 <context>
@@ -17091,10 +17096,6 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <source>Blocked by %1.</source>
         <translation>Bloqué par %1.</translation>
     </message>
-    <message>
-        <source>Next: move it by hand (menu of the row), or see the precedence graph.</source>
-        <translation>Ensuite&#xa0;: déplacez-le à la main (menu de la ligne), ou consultez le graphe d&apos;antériorité.</translation>
-    </message>
     <message numerus="yes">
         <source>%n inside not reached</source>
         <translation>
@@ -17109,6 +17110,10 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>of before</source>
         <translation>d&apos;avant</translation>
+    </message>
+    <message>
+        <source>Next: decide about its joints (Contacts &gt; Joints), move it by hand (menu of the row), or see the precedence graph.</source>
+        <translation>Ensuite&#xa0;: décidez de ses liaisons (Contacts &gt; Liaisons), déplacez-le à la main (menu de la ligne), ou consultez le graphe d&apos;antériorité.</translation>
     </message>
 </context>
 <context>

@@ -52,6 +52,9 @@ int decimalsOf(double value) {
   return std::max(kSignificantDigits - before, 0);
 }
 
+/// Number of decimals that shows a difference of `number`.
+int decimalsFor(double number) { return std::max(0, static_cast<int>(std::ceil(-std::log10(number) - kRounding))); }
+
 /// The unit in which `decimals(number)` are not too many for a length.
 template <class Decimals>
 const UnitEntry& fittingUnit(double metres, Decimals decimals) {
@@ -64,8 +67,9 @@ QString nameOf(const UnitEntry& unit) { return QString::fromUtf8(unit.name); }
 
 QString numberIn(const UnitEntry& unit, double metres, int decimals) {
   if (!std::isfinite(metres)) return QStringLiteral("∞");
-  const QString size = QLocale().toString(std::abs(metres) / unit.metres, 'f', decimals);
-  return metres < 0.0 ? QStringLiteral("−") + size : size;
+  const double size = std::abs(metres) / unit.metres;
+  const bool isNegative = metres < 0.0 && size * std::pow(10.0, decimals) >= 0.5;  // what is written as 0 has no sign
+  return (isNegative ? QStringLiteral("−") : QString()) + QLocale().toString(size, 'f', decimals);
 }
 
 QString withUnit(const QString& number, const UnitEntry& unit) { return number + QLatin1Char(' ') + nameOf(unit); }
@@ -110,10 +114,26 @@ QString columnLengthText(double metres) {
   return QLatin1Char(metres < 0.0 ? '>' : '<') + withUnit(numberIn(unit, limit, unit.decimals), unit);
 }
 
+PlotLengths::PlotLengths(double least) {
+  constexpr double kLeastNumber = 0.001;
+  const UnitEntry* unit = &unitOfProgram();
+  while (unit->smaller != nullptr && least < kLeastNumber * (1.0 - kRounding) * unit->metres) unit = unit->smaller;
+  unit_ = nameOf(*unit);
+  metres_ = unit->metres;
+}
+
+QString PlotLengths::text(double metres) const {
+  constexpr int kMostDecimals = 4;
+  return written(metres, std::min(decimalsOf(metres / metres_), kMostDecimals));
+}
+
+QString PlotLengths::mark(double metres) const { return written(metres, decimalsFor(metres / metres_)); }
+
+QString PlotLengths::written(double metres, int decimals) const {
+  return QLocale().toString(metres / metres_, 'f', decimals) + QLatin1Char(' ') + unit_;
+}
+
 LengthField lengthField(double finest) {
-  const auto decimalsFor = [](double number) {
-    return std::max(0, static_cast<int>(std::ceil(-std::log10(number) - kRounding)));
-  };
   const UnitEntry& unit = fittingUnit(finest, decimalsFor);
   return {nameOf(unit), 1.0 / unit.metres, std::min(decimalsFor(finest / unit.metres), unit.decimals)};
 }

@@ -33,6 +33,24 @@ QString lengthsText(const std::vector<double>& metres, const QString& separator)
 /// program's unit is inches, else millimetres. A length that would be written as 0 is a limit: "<0.0001 mm".
 QString columnLengthText(double metres);
 
+/// Writes the lengths of one plot in one unit: the largest one, not above that of the program, in which the least
+/// length is no less than a thousandth.
+class PlotLengths {
+ public:
+  explicit PlotLengths(double least);
+
+  /// With three significant digits, if they need no more than four decimals.
+  QString text(double metres) const;
+  /// The text of a power of ten of the unit, without zeros at the end: "0.01 mm", "10 mm".
+  QString mark(double metres) const;
+
+ private:
+  QString written(double metres, int decimals) const;
+
+  QString unit_;
+  double metres_;  ///< of the unit
+};
+
 /// A count, as the user's language writes numbers.
 QString countText(std::uint64_t count);
 

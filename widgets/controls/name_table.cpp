@@ -11,7 +11,7 @@
 namespace glissade {
 namespace {
 
-constexpr int kLeastNameWidth = 60;  // pixels
+constexpr int kReadableLetters = 22;  ///< letters of a name that have room in any table
 
 }  // namespace
 
@@ -52,8 +52,10 @@ void NameTable::shareWidth() {
   for (int column = 0; column < columnCount(); ++column) {
     if (!isName(column)) rest -= columnWidth(column);
   }
+  const int readable = kReadableLetters * fontMetrics().averageCharWidth();
   for (const Names& each : names_) {
-    setColumnWidth(each.column, std::max(kLeastNameWidth, static_cast<int>(each.share * rest)));
+    const int ofContents = std::max(sizeHintForColumn(each.column), header()->sectionSizeHint(each.column));
+    setColumnWidth(each.column, std::max(std::min(readable, ofContents), static_cast<int>(each.share * rest)));
   }
 }
 

@@ -19,7 +19,8 @@ class SortedRow final : public QTreeWidgetItem {
 };
 
 /// A table with names of bodies. The columns of the long names share the width that the other columns leave, and show
-/// the ends of the names. Rows can be sorted by every column and filtered by a text.
+/// the ends of the names. They have room for a readable part of the names; where the table is narrower it is scrolled.
+/// Rows can be sorted by every column and filtered by a text.
 class NameTable final : public QTreeWidget {
  public:
   struct Names {

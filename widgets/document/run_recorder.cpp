@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "engine/files/same_problem.h"
+
 namespace glissade {
 
 void RunRecorder::open(const ScenarioPtr& scenario) {
@@ -10,6 +12,14 @@ void RunRecorder::open(const ScenarioPtr& scenario) {
   head_.reset();
   scenario_ = scenario;
   next_.reset();
+}
+
+void RunRecorder::rearrange(const ScenarioPtr& scenario) {
+  if (scenario_ && !next_ && isSameProblem(*scenario_, *scenario)) {
+    takeJoints(scenario);
+  } else {
+    next_ = scenario;
+  }
 }
 
 void RunRecorder::takeJoints(const ScenarioPtr& scenario) {

@@ -16,8 +16,9 @@ class RunRecorder {
   /// Runs from now on are journalled in this folder.
   void keepJournals(const std::string& folder) { folder_ = folder; }
   void open(const ScenarioPtr& scenario);
-  /// Sets the scenario of the next run; the recording of the last one stays until then.
-  void rearrange(const ScenarioPtr& scenario) { next_ = scenario; }
+  /// Sets the scenario of the next run; the recording of the last one stays until then. Where only names of bodies
+  /// differ, the recording is about it, too.
+  void rearrange(const ScenarioPtr& scenario);
   /// Takes the same scenario with other edits of joints, which no run depends on: the recording is about it, too.
   void takeJoints(const ScenarioPtr& scenario);
   /// Takes the snapshot into the recording. True if another run has begun.

@@ -47,9 +47,16 @@ void SemanticDocument::rearrange(const LoadedScenario& scenario) {
   select(selection);
 }
 
+/// Sets the model. Selected places that it does not have are no longer selected.
 void SemanticDocument::setKnowledge(const SceneKnowledgePtr& knowledge) {
   knowledge_ = knowledge;
+  const SemanticSelection before = selection_;
+  const int places = knowledge ? static_cast<int>(knowledge->environment->map.places.size()) : 0;
+  for (const int place : before.places) {
+    if (knowledge && place >= places) selection_.places.remove(place);
+  }
   apply(edits_);
+  if (!(selection_ == before)) emit selectionChanged();
 }
 
 void SemanticDocument::apply(const SemanticEdits& edits) {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "engine/base/guarded.h"
+#include "engine/files/same_problem.h"
 #include "engine/files/scenario_bodies.h"
 #include "engine/operator/device_registry.h"
 
@@ -59,7 +60,12 @@ ParameterValues carriedOver(const ParameterValues& values, double objectRadius) 
 
 void SessionBridge::rearrange(const ScenarioPtr& scenario) {
   const ScenarioPtr before = std::exchange(scenario_, scenario);
-  edits_ = scenario->problem.scene.edits;
+  const SemanticEditsPtr edits = std::exchange(edits_, scenario->problem.scene.edits);
+  if (session_ && !fixed_ && !forgets_ && *edits == *edits_ && isSameProblem(*before, *scenario)) {
+    post(command::SetNames{scenario->problem.world});
+    emitSnapshot();  // observers show none of an earlier arrangement
+    return;
+  }
   knowledge_ = scenario->problem.scene.knowledge;
   beginAnew([&] {
     keepPath(idOf(before->scenario.object));

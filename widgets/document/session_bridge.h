@@ -42,7 +42,7 @@ class SessionBridge final : public QObject {
   void open(const ScenarioPtr& scenario);
   /// Takes the same scenario with other poses of bodies, another object or other ends. A run ends; settings since
   /// open() stay. The path is examined in the new arrangement; the path of another object waits until that object moves
-  /// again. The environment model has to be posted again.
+  /// again. The environment model has to be posted again. Where only names differ, the run and its result stay.
   void rearrange(const ScenarioPtr& scenario);
   /// Selects the device that moves the object (an id of the device registry). A run ends; parameters, seed, planner,
   /// semantic edits, environment model and path stay.

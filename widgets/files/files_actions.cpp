@@ -15,9 +15,10 @@ std::vector<ActionSpec> filesActions() {
            "unit and an axis. One part is the moving part; the others are static or mobile."),
        .synonyms = QT_TRANSLATE_NOOP("Actions", "import STEP CAD mesh")},
       {.id = "file.open",
-       .text = QT_TRANSLATE_NOOP("Actions", "&Open scenario..."),
+       .text = QT_TRANSLATE_NOOP("Actions", "&Open..."),
        .key = "Ctrl+O",
-       .tip = QT_TRANSLATE_NOOP("Actions", "Open a scenario or an OMPL.app problem"),
+       .tip = QT_TRANSLATE_NOOP("Actions",
+                                "Open a scenario, a product (STEP, IGES, BREP), part files, or an OMPL.app problem"),
        .place = {"menu.file", 1, 20},
        .button = QT_TRANSLATE_NOOP("Actions", "Open"),
        .help = QT_TRANSLATE_NOOP(

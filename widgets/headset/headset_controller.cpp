@@ -2,6 +2,8 @@
 
 #include <QLocale>
 
+#include <cmath>
+
 #include "widgets/openxr/picture_rate.h"
 
 namespace glissade {
@@ -9,6 +11,8 @@ namespace {
 
 constexpr int kTick = 500;     ///< ms
 constexpr int kPatience = 20;  ///< ticks until the window says that no controller is known
+/// Share of a direction in the horizontal plane below which a camera looks straight up or down.
+constexpr double kVertical = 0.02;
 /// Position of the sign, below the sign of the head tracker.
 constexpr QPoint kSignPlace(10, 48);
 
@@ -78,12 +82,12 @@ HeadsetController::HeadsetController(const Workbench& bench)
   connect(&timer_, &QTimer::timeout, this, &HeadsetController::tick);
   connect(bench.actions["view.headset"], &QAction::toggled, this, &HeadsetController::setOn);
   for (const char* id : {"headset.on-table", "headset.to-place"}) {
-    bench.onAction(id, this, [this] { place(); });
+    bench.onAction(id, this, [this] { place(startPlace()); });
   }
   bench.onAction("headset.leave", this, [this] { bench_.actions["view.headset"]->setChecked(false); });
   bench.onAction("headset.figures", this, [this] { showFigures(); });
   connect(&bench.document, &WorkbenchDocument::changed, this, [this](Changes what) {
-    if (what & Change::Scenario) place();  // only another scenario moves the person, not an edit
+    if (what & Change::Scenario) place(startPlace());  // only another scenario moves the person, not an edit
   });
   const auto showTheme = [this] { setBackground(); };
   connect(bench.actions["view.dark"], &QAction::toggled, this, showTheme, Qt::QueuedConnection);
@@ -102,7 +106,7 @@ void HeadsetController::disable() {
 
 void HeadsetController::setOn(bool on) {
   if (on) {
-    place();
+    place(startPlace());
     headset_->start();
     timer_.start();
   } else {
@@ -112,11 +116,21 @@ void HeadsetController::setOn(bool on) {
   showStatus();
 }
 
-void HeadsetController::place() {
+RoomPlacement HeadsetController::startPlace() const {
   const bool onTable = bench_.actions["headset.on-table"]->isChecked();
-  const SceneView& view = bench_.scene.view();
-  headset_->setPlacement(placeRoom(view.extent(), onTable ? ProductSize::OnTable : ProductSize::True));
+  return placeRoom(bench_.scene.view().extent(), onTable ? ProductSize::OnTable : ProductSize::True);
+}
+
+void HeadsetController::place(const RoomPlacement& room) {
+  headset_->setPlacement(room);
   setBackground();
+}
+
+void HeadsetController::standAt(const CameraPose& view) {
+  const Vector3 back_W = view.R_WV * Vector3::UnitZ();
+  const bool isVertical = std::hypot(back_W.x(), back_W.y()) < kVertical;
+  const Vector3 ahead_W = isVertical ? Vector3(view.R_WV * Vector3::UnitY()) : Vector3(-back_W);
+  place(placeRoomAt(view.focus + view.distance * back_W, ahead_W, startPlace().scale));
 }
 
 void HeadsetController::setBackground() {

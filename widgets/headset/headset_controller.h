@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QTimer>
 
+#include "widgets/openxr/room_placement.h"
 #include "widgets/workbench/workbench.h"
 
 namespace glissade {
@@ -14,6 +15,9 @@ class HeadsetController final : public QObject {
 
  public:
   explicit HeadsetController(const Workbench& bench);
+
+  /// Puts the person where the camera of the view is, in the present scale.
+  void standAt(const CameraPose& view);
 
   /// Text about the state of the headset; empty while it is off, and while it shows pictures without trouble.
   static QString textOf(const HeadsetStatus& status);
@@ -27,7 +31,8 @@ class HeadsetController final : public QObject {
   void tick();
   void showStatus();
   void showFigures();
-  void place();
+  RoomPlacement startPlace() const;
+  void place(const RoomPlacement& room);
   void setBackground();
 
   const Workbench& bench_;

@@ -5,6 +5,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 #include "widgets/controls/diagnostic_text.h"
 #include "widgets/controls/flow_layout.h"
 #include "widgets/run/strategy_use.h"
@@ -13,6 +15,8 @@ namespace glissade {
 namespace {
 
 constexpr int kIconPixels = 28;
+constexpr int kMostViews = 6;      ///< named views on the sheet, those that were saved last
+constexpr int kLongestView = 260;  ///< pixels of the name of a view
 
 /// Sizes of the controls allow for the tremor of a pointing hand: half a degree, which is 13 pixels.
 const char* const kPointedAt =
@@ -55,6 +59,15 @@ QLayout* makeButtons(const ActionCatalogue& actions, const std::vector<const cha
   return row;
 }
 
+/// Removes all widgets of the layout. They are deleted later, because one may have been pressed.
+void clearLayout(QLayout& layout) {
+  while (QLayoutItem* item = layout.takeAt(0)) {
+    item->widget()->deleteLater();
+    item->widget()->hide();
+    delete item;
+  }
+}
+
 void addLine(QVBoxLayout& layout) {
   auto* line = new QFrame;
   line->setFrameShape(QFrame::HLine);
@@ -72,6 +85,7 @@ HeadsetPage::HeadsetPage(const ActionCatalogue& actions, QWidget* parent)
       status_(makeLabel("headset-status", this)),
       sliders_(
           new ParameterSliders({ParameterId::Alpha, ParameterId::ContactSamples, ParameterId::ContactDistance}, this)),
+      views_(new FlowLayout),
       step_(makeLabel("headset-step", this)),
       what_(makeLabel("headset-refused", this)),
       why_(makeLabel("headset-reason", this)),
@@ -148,6 +162,7 @@ QWidget* HeadsetPage::makeSceneSheet(const ActionCatalogue& actions) {
       {"headset.section", "section.remove-all", "headset.measure", "measure.clear"}};
   for (const auto& group : groups) {
     column->addLayout(makeButtons(actions, group, sheet));
+    if (&group == &groups.front()) column->addLayout(views_);
     if (&group != &groups.back()) addLine(*column);
   }
   column->addStretch();
@@ -243,15 +258,25 @@ void HeadsetPage::setRefusal(const QString& what, const QString& why) {
   why_->setVisible(!why.isEmpty());
 }
 
+void HeadsetPage::setViews(const QStringList& names) {
+  clearLayout(*views_);
+  const int first = std::max(0, names.size() - kMostViews);
+  for (int i = first; i < names.size(); ++i) {
+    auto* button = new QToolButton(sheets_);
+    button->ensurePolished();
+    button->setText(button->fontMetrics().elidedText(names[i], Qt::ElideRight, kLongestView));
+    button->setToolTip(tr("Stand where the camera of %1 is").arg(names[i]));
+    button->setAccessibleName(button->toolTip());
+    views_->addWidget(button);
+    connect(button, &QToolButton::clicked, this, [this, i] { emit viewChosen(i); });
+  }
+}
+
 void HeadsetPage::ask(const QString& what, const QString& why, const QStringList& answers) {
   asked_->setText(what);
   details_->setText(why);
   details_->setVisible(!why.isEmpty());
-  while (QLayoutItem* item = answers_->takeAt(0)) {
-    item->widget()->deleteLater();  // deleted later, because it may be the widget that was pressed
-    item->widget()->hide();
-    delete item;
-  }
+  clearLayout(*answers_);
   for (int i = 0; i < answers.size(); ++i) {
     auto* button = new QToolButton(question_);
     button->setText(answers[i]);

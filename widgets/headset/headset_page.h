@@ -32,6 +32,8 @@ class HeadsetPage final : public QWidget {
   void setSnapshot(const SessionSnapshot& snapshot, const std::string& deviceId, const QString& status);
   /// Sets whether a replay is shown, which cannot be steered.
   void setReplayed(bool replayed);
+  /// Lists the named views, at which the person can stand.
+  void setViews(const QStringList& names);
   /// Shows the place in the sequence; empty: there is none.
   void setStep(const QString& place);
   /// Shows a refusal and its reason; empty: none.
@@ -41,6 +43,8 @@ class HeadsetPage final : public QWidget {
 
  signals:
   void commanded(const glissade::Command& command);
+  /// The person has chosen this named view, by its index.
+  void viewChosen(int view);
   /// The person has chosen this answer, by its index.
   void answered(int answer);
 
@@ -58,6 +62,7 @@ class HeadsetPage final : public QWidget {
   QButtonGroup* strategies_;
   QLabel* status_;
   ParameterSliders* sliders_;
+  QLayout* views_;
   QLabel* step_;
   QLabel* what_;
   QLabel* why_;

@@ -87,6 +87,8 @@ void HeadsetPanelController::make() {
   view_ = std::make_unique<HeadsetPanelView>(*page_, tools_);
   questions_ = std::make_unique<HeadsetQuestions>(*page_);
   connect(page_.get(), &HeadsetPage::commanded, &bench_.session, &SessionBridge::post);
+  connect(page_.get(), &HeadsetPage::viewChosen, this,
+          [this](int view) { emit viewChosen(views_[static_cast<std::size_t>(view)]); });
   connect(&bench_.document, &WorkbenchDocument::changed, this, [this](Changes what) {
     if (what & (Change::Scenario | Change::Arrangement)) showScenario();
   });
@@ -96,9 +98,18 @@ void HeadsetPanelController::make() {
   connect(sequence_.panel(), &SequencePanel::sceneChanged, this, &HeadsetPanelController::showStep);
   connect(&sequence_, &SequenceController::planShown, this, &HeadsetPanelController::showStep);
   page_->setReplayed(!bench_.run.isLive());
+  setViews(views_);
   showScenario();
   showRefusal();
   showStep();
+}
+
+void HeadsetPanelController::setViews(const NamedViews& views) {
+  views_ = views;
+  if (!page_) return;
+  QStringList names;
+  for (const NamedView& view : views_) names << view.name;
+  page_->setViews(names);
 }
 
 void HeadsetPanelController::showScenario() {

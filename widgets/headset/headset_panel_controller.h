@@ -12,6 +12,7 @@
 #include "widgets/headset/headset_panel_view.h"
 #include "widgets/headset/headset_texts.h"
 #include "widgets/headset/instruction_walk.h"
+#include "widgets/workbench/named_views.h"
 #include "widgets/workbench/workbench.h"
 
 namespace glissade {
@@ -51,8 +52,14 @@ class HeadsetPanelController final : public QObject {
 
   /// Null until the headset was first started.
   HeadsetPage* page() const { return page_.get(); }
+  /// Sets the views that the page lists.
+  void setViews(const NamedViews& views);
   /// The number of times that the page was painted.
   int paintings() const { return view_ ? view_->paintings() : 0; }
+
+ signals:
+  /// The person wants to stand where the camera of this view is.
+  void viewChosen(const glissade::NamedView& view);
 
  private:
   void make();
@@ -68,6 +75,7 @@ class HeadsetPanelController final : public QObject {
   HeadsetTexts texts_;
   InstructionWalk walk_;
   HandTools handTools_;
+  NamedViews views_;
   std::unique_ptr<HeadsetPage> page_;
   std::unique_ptr<HeadsetPanelView> view_;
   std::unique_ptr<HeadsetQuestions> questions_;

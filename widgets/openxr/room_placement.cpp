@@ -11,6 +11,7 @@ constexpr double kTableHeight = 0.75;
 constexpr double kTableSize = 0.6;      ///< largest size of a product on the table
 constexpr double kTableDistance = 0.5;  ///< from the person to a product on the table
 constexpr double kFloorDistance = 1.2;  ///< from the person to a product on the floor
+constexpr double kEyeHeight = 1.6;      ///< of a person who stands upright
 constexpr double kLowest = 1.0;         ///< least height of a product that stands on the floor
 
 /// Turns y up into z up: the direction before the person is the y axis of the world.
@@ -28,6 +29,15 @@ RoomPlacement placeRoom(const Box3& box, ProductSize size) {
   const double height = box.isEmpty() || stands ? 0.0 : kTableHeight / room.scale;
   room.X_WR.orientation = roomToWorld();
   room.X_WR.position = {product.center().x(), product.min().y() - distance, product.min().z() - height};
+  return room;
+}
+
+RoomPlacement placeRoomAt(const Vector3& eye_W, const Vector3& ahead_W, double scale) {
+  const double heading = std::atan2(-ahead_W.x(), ahead_W.y());
+  RoomPlacement room;
+  room.scale = scale;
+  room.X_WR.orientation = Quaternion(Eigen::AngleAxisd(heading, Vector3::UnitZ())) * roomToWorld();
+  room.X_WR.position = eye_W - kEyeHeight / scale * Vector3::UnitZ();
   return room;
 }
 

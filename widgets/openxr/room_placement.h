@@ -19,6 +19,10 @@ enum class ProductSize { True, OnTable };
 /// floor before the person.
 RoomPlacement placeRoom(const Box3& box, ProductSize size);
 
+/// Places the person so that their eyes, if they stand upright, are at `eye_W`. They look along `ahead_W`, which is not
+/// vertical.
+RoomPlacement placeRoomAt(const Vector3& eye_W, const Vector3& ahead_W, double scale);
+
 /// Converts a pose from the room to the world.
 Pose inWorld(const RoomPlacement& room, const Pose& X_RP);
 

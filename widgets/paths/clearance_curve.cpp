@@ -8,8 +8,6 @@
 #include <array>
 #include <cmath>
 
-#include "widgets/controls/length_text.h"
-
 namespace glissade {
 namespace {
 
@@ -18,6 +16,8 @@ constexpr double kCurveGap = 4.0;
 constexpr double kKeyStep = 0.01;
 /// Metres; smaller distances are drawn at the bottom of the axis.
 constexpr double kSmallestDrawn = 1e-9;
+/// Ratio of the ends of the axis to the least and the largest distance.
+constexpr double kMargin = 1.5;
 /// Largest number of decades with a label.
 constexpr int kMostLabels = 4;
 /// Colours of the bodies, in Okabe and Ito's hues.
@@ -54,8 +54,8 @@ void ClearanceCurve::setProfile(std::shared_ptr<const ClearanceProfile> profile,
       bodyOrder_.push_back(nearest.body);
     }
   }
-  least_ /= 1.5;
-  most_ *= 1.5;
+  least_ /= kMargin;
+  most_ *= kMargin;
   setPlace(place_);
 }
 
@@ -66,8 +66,25 @@ void ClearanceCurve::setPlace(double share) {
   update();
 }
 
+PlotLengths ClearanceCurve::lengths() const { return PlotLengths(kMargin * least_); }
+
+/// The lengths with a label: powers of ten of the unit, metres.
+std::vector<double> ClearanceCurve::marks() const {
+  const double unit = roundLengthUnit();
+  const int first = static_cast<int>(std::ceil(std::log10(least_ / unit)));
+  const int last = static_cast<int>(std::floor(std::log10(most_ / unit)));
+  const int step = std::max(1, (last - first) / kMostLabels + 1);
+  std::vector<double> marks;
+  for (int decade = first; decade <= last; decade += step) marks.push_back(unit * std::pow(10.0, decade));
+  return marks;
+}
+
 QRectF ClearanceCurve::plotArea() const {
-  const double left = fontMetrics().horizontalAdvance(lengthText(1.11e-5)) + 2.0 * kCurveGap;
+  int widest = 0;
+  for (const double metres : marks()) {
+    widest = std::max(widest, fontMetrics().horizontalAdvance(lengths().mark(metres)));
+  }
+  const double left = widest + 2.0 * kCurveGap;
   const double top = fontMetrics().height() + kCurveGap;
   return {left, top, std::max(1.0, width() - left - 1.0), std::max(1.0, height() - top - 2.0)};
 }
@@ -94,7 +111,7 @@ const ClearanceSample& ClearanceCurve::sampleAt(double share) const {
 
 QString ClearanceCurve::textOf(const ClearanceSample& sample) const {
   if (sample.nearest.body < 0) return tr("nothing near");
-  return tr("%1 to %2").arg(lengthText(sample.nearest.distance), bodies_.value(sample.nearest.body));
+  return tr("%1 to %2").arg(lengths().text(sample.nearest.distance), bodies_.value(sample.nearest.body));
 }
 
 QColor ClearanceCurve::colourOf(int body) const {
@@ -131,13 +148,9 @@ void ClearanceCurve::paintEvent(QPaintEvent* /*event*/) {
 
 void ClearanceCurve::paintGrid(QPainter& painter) const {
   const QRectF area = plotArea();
-  const int first = static_cast<int>(std::ceil(std::log10(least_)));
-  const int last = static_cast<int>(std::floor(std::log10(most_)));
-  const int step = std::max(1, (last - first) / kMostLabels + 1);
   QColor grid = palette().color(QPalette::Text);
   grid.setAlphaF(0.15);
-  for (int decade = first; decade <= last; decade += step) {
-    const double metres = std::pow(10.0, decade);
+  for (const double metres : marks()) {
     const double y = yOf(metres);
     painter.setPen(QPen(grid, 1.0));
     painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
@@ -145,7 +158,7 @@ void ClearanceCurve::paintGrid(QPainter& painter) const {
     const double half = 0.5 * fontMetrics().height();
     const double top = std::clamp(y - half, area.top() - 0.5 * half, area.bottom() - 2.0 * half + 2.0);
     painter.drawText(QRectF(0.0, top, area.left() - kCurveGap, 2.0 * half), Qt::AlignRight | Qt::AlignVCenter,
-                     lengthText(metres));
+                     lengths().mark(metres));
   }
   if (required_ <= 0.0) return;
   painter.setPen(QPen(palette().color(QPalette::Text), 1.0, Qt::DashLine));
@@ -181,6 +194,11 @@ void ClearanceCurve::keyPressEvent(QKeyEvent* event) {
   const double by = event->key() == Qt::Key_Left ? -kKeyStep : event->key() == Qt::Key_Right ? kKeyStep : 0.0;
   if (by == 0.0 || !profile_) return QWidget::keyPressEvent(event);
   emit placeChosen(std::clamp(place_ + by, 0.0, 1.0));
+}
+
+void ClearanceCurve::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::LocaleChange) setPlace(place_);
 }
 
 }  // namespace glissade

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "engine/planning/clearance_profile.h"
+#include "widgets/controls/length_text.h"
 
 namespace glissade {
 
@@ -35,8 +36,11 @@ class ClearanceCurve final : public QWidget {
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
+  PlotLengths lengths() const;
+  std::vector<double> marks() const;
   QRectF plotArea() const;
   double shareAt(double x) const;
   double yOf(double distance) const;
@@ -50,7 +54,7 @@ class ClearanceCurve final : public QWidget {
   QStringList bodies_;
   std::vector<int> bodyOrder_;  ///< nearest bodies in the order in which they appear, which determines their colours
   double required_ = 0.0;
-  double least_ = 0.0;  ///< least distance of the axis, metres
+  double least_ = 1e-3;  ///< least distance of the axis, metres
   double most_ = 1.0;
   double place_ = 0.0;
 };

@@ -159,7 +159,8 @@ PathController::PathController(const Workbench& bench)
   connect(&measuring_, &BackgroundTask::failed, &bench.work, &WorkController::reportFailure);
   connect(&bench.run, &ShownRun::changed, this, &PathController::show);
   connect(&bench.document, &WorkbenchDocument::changed, this, [this](Changes what) {
-    if (what & Change::Results) show();
+    if (what & (Change::Results | Change::Arrangement)) show();
+    if ((what & Change::Arrangement) && bench_.run.snapshot()) showNames();
   });
   connect(&panel_->ghosts(), &GhostRow::changed, this, [this](const PathSpacing& spacing) {
     bench_.scene.view().setGhosts(spacing);
@@ -250,6 +251,12 @@ void PathController::show() {
   enableActions();
   if (isOther) measureClearance();
   if (isNew && snapshot->run > 0 && !snapshot->coarsePlan) bringToFront();
+}
+
+/// Shows the names that bodies have now. The path is one of the present arrangement.
+void PathController::showNames() {
+  panel_->showTexts(*bench_.document.scenario());
+  if (profile_) panel_->setProfile(profile_, *bench_.document.scenario());
 }
 
 void PathController::measureClearance() {

@@ -71,6 +71,7 @@ class PathController final : public QObject {
   void bringToFront();
   void showError(const Diagnostic& why);
   /// Measures the clearance along the shown path, in the background.
+  void showNames();
   void measureClearance();
   void chooseFile();
   void chooseExport();

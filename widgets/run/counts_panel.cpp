@@ -87,19 +87,21 @@ RunCurves::Curve RunCurves::clearanceCurve() const {
     least = std::min(least, std::max(*sample.clearance, kLeastClearance));
     most = std::max(most, *sample.clearance);
   }
-  const double bottom = std::floor(std::log10(std::min(least, most)));
-  const double top = std::max(bottom + 1.0, std::ceil(std::log10(most)));
+  const double unit = roundLengthUnit();
+  const double bottom = std::floor(std::log10(std::min(least, most) / unit));
+  const double top = std::max(bottom + 1.0, std::ceil(std::log10(most / unit)));
+  const PlotLengths lengths(unit * std::pow(10.0, bottom));
   const std::optional<double>& now = history_.samples().back().clearance;
   return {tr("Distance to the nearest obstacle"),
           !now         ? QStringLiteral("–")
-          : *now > 0.0 ? lengthText(*now)
+          : *now > 0.0 ? lengths.text(*now)
                        : tr("in collision"),
-          lengthText(std::pow(10.0, bottom)),
-          lengthText(std::pow(10.0, top)),
+          lengths.mark(unit * std::pow(10.0, bottom)),
+          lengths.mark(unit * std::pow(10.0, top)),
           kClearanceColour,
-          [bottom, top](const RunSample& sample) {
+          [unit, bottom, top](const RunSample& sample) {
             if (!sample.clearance) return std::optional<double>();
-            const double decades = std::log10(std::max(*sample.clearance, kLeastClearance)) - bottom;
+            const double decades = std::log10(std::max(*sample.clearance, kLeastClearance) / unit) - bottom;
             return std::optional<double>(std::clamp(decades / (top - bottom), 0.0, 1.0));
           }};
 }

@@ -83,8 +83,9 @@ void RefusalController::connectActions() {
   });
 }
 
-/// Enables the action that closes the message while the message is shown.
+/// Enables the action that closes the message while the message is shown, and writes its lengths in another unit.
 bool RefusalController::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::LocaleChange && !bar_->isHidden()) showAgain();
   if (event->type() == QEvent::ShowToParent || event->type() == QEvent::HideToParent) {
     bench_.enable("refusal.close", !bar_->isHidden());
   }
@@ -99,7 +100,20 @@ void RefusalController::followDocument(Changes what) {
     mark(nullptr);
   } else if (what & Change::Arrangement) {
     examination_.cancel();
-    if (conflicts_) examineEnds();
+    if (conflicts_) {
+      examineEnds();
+    } else if (!bar_->isHidden()) {
+      showAgain();  // bodies may have other names
+    }
+  }
+}
+
+void RefusalController::showAgain() {
+  if (conflicts_) {
+    showConflicts();
+  } else if (bench_.run.snapshot()) {
+    noticed_.clear();
+    followRun(bench_.run.snapshot());
   }
 }
 

@@ -24,6 +24,7 @@ class RefusalController final : public QObject {
 
  private:
   void connectActions();
+  void showAgain();
   void followRun(const SnapshotPtr& snapshot);
   void followDocument(Changes what);
   /// Finds all bodies that the object meets at its ends, in the background.

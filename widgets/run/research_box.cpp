@@ -7,11 +7,16 @@
 #include <algorithm>
 
 namespace glissade {
+namespace {
+
+constexpr int kLeastLetters = 12;
+
+}  // namespace
 
 ResearchBox::ResearchBox(std::vector<Entry> entries, QWidget* parent)
     : QComboBox(parent), entries_(std::move(entries)) {
   setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  setMinimumContentsLength(12);
+  setMinimumContentsLength(kLeastLetters);
   for (const Entry& entry : entries_) {
     if (!entry.research) add(entry);
   }
@@ -51,6 +56,9 @@ void ResearchBox::setChosen(const QString& id) {
   const QSignalBlocker block(this);
   if (findData(id) < 0) listResearch();
   setCurrentIndex(findData(id));
+  // The box counts letters as wide as an X. The chosen name is never cut.
+  const int letters = fontMetrics().horizontalAdvance(currentText()) / fontMetrics().horizontalAdvance('X') + 1;
+  setMinimumContentsLength(std::max(kLeastLetters, letters));
 }
 
 void ResearchBox::setReason(const QString& id, const QString& reason) {

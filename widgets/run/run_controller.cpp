@@ -127,6 +127,7 @@ RunController::RunController(const Workbench& bench)
   status_->setObjectName(QStringLiteral("status"));
   status_->setTextFormat(Qt::PlainText);
   status_->setText(tr("No scenario is open."));
+  status_->installEventFilter(this);
   bench.window.statusBar()->addWidget(status_, 1);
   bench.window.statusBar()->addPermanentWidget(elapsed_);
   connect(&bench.document, &WorkbenchDocument::changedForSession, this, &RunController::updateSession);
@@ -145,6 +146,11 @@ RunController::RunController(const Workbench& bench)
   connectActions();
   enableActions(nullptr);
   addRunCommands(bench);
+}
+
+bool RunController::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::LocaleChange && bench_.run.snapshot()) showRun(bench_.run.snapshot());
+  return QObject::eventFilter(watched, event);
 }
 
 void RunController::connectActions() {

@@ -22,6 +22,10 @@ class RunController final : public QObject {
   InteractionPanel* interactionPanel() const { return interaction_; }
   CountsPanel* countsPanel() const { return counts_; }
 
+ protected:
+  /// Writes the lengths of the status line in another unit.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   void connectActions();
   /// Updates the session from the document.

@@ -39,7 +39,7 @@ class LegendMaker {
     if (!impl_.sequence.forbidden.empty() && isDrawn(SceneLayer::Selection)) {
       add(LegendItem::ForbiddenDirection, LegendMark::Fill, palette_.penetration);
     }
-    if (hasSelection()) add(LegendItem::Selected, LegendMark::Fill, palette_.path);
+    if (hasSelection()) add(LegendItem::Selected, LegendMark::Fill, palette_.selection);
     return std::move(rows_);
   }
 
@@ -122,7 +122,7 @@ class LegendMaker {
   void addSequence() {
     const auto& bodies = impl_.sequence.bodies;
     if (std::any_of(bodies.begin(), bodies.end(), [](const SequenceBody& body) { return body.marked && body.shown; })) {
-      add(LegendItem::MovingPart, LegendMark::Fill, palette_.path);
+      add(LegendItem::MovingPart, LegendMark::Fill, palette_.stepPart);
     }
     if (impl_.sequence.way.size() > 1) add(LegendItem::WayOfPart, LegendMark::Line, palette_.path);
   }

@@ -129,9 +129,10 @@ struct SceneView::Impl {
     if (!scenario) return;
     for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) {
       const RigidBody& body = scenario->obstacles[i];
-      const bool marked = environment.selectedBodies.count(body.id) != 0 || isMarked(i);
-      if (!marked || !isDrawn(i) || inHand.count(i) != 0) continue;
-      layer(SceneLayer::Selection).addChild(makeHighlight(shapes.of(body.mesh), poseOf(i), palette.path, palette));
+      const bool isSelected = environment.selectedBodies.count(body.id) != 0;
+      if (!(isSelected || isMarked(i)) || !isDrawn(i) || inHand.count(i) != 0) continue;
+      const osg::Vec4& colour = isMarked(i) ? palette.stepPart : palette.selection;
+      layer(SceneLayer::Selection).addChild(makeHighlight(shapes.of(body.mesh), poseOf(i), colour, palette));
     }
     if (!sequence.forbidden.empty()) {
       layer(SceneLayer::Selection).addChild(makeForbiddenCones(sequence.forbidden, palette));
@@ -140,7 +141,7 @@ struct SceneView::Impl {
     for (std::size_t i = 0; i < scenario->objectBodies.size(); ++i) {
       if (!isMarked(scenario->obstacles.size() + i)) continue;
       const BodyShape& shape = shapes.of(scenario->objectBodies[i].mesh);
-      layer(SceneLayer::Selection).addChild(makeHighlight(shape, inSequence(i).X_WB, palette.path, palette));
+      layer(SceneLayer::Selection).addChild(makeHighlight(shape, inSequence(i).X_WB, palette.stepPart, palette));
     }
     if (sequence.way.size() > 1) layer(SceneLayer::Selection).addChild(makeWay());
   }

@@ -41,8 +41,9 @@ std::vector<ActionSpec> sequenceActions() {
       {.id = "sequence.instruction",
        .text = QT_TRANSLATE_NOOP("Actions", "Work instru&ction..."),
        .key = "Ctrl+Shift+I",
-       .tip =
-           QT_TRANSLATE_NOOP("Actions", "Save the pages for the line: what is done, with which tool and which parts"),
+       .tip = QT_TRANSLATE_NOOP("Actions",
+                                "Save the pages for the line, once the sequence is planned: what is done, with which "
+                                "tool and which parts"),
        .place = {"menu.sequence", 3, 30},
        .button = QT_TRANSLATE_NOOP("Actions", "Instruction"),
        .synonyms = QT_TRANSLATE_NOOP("Actions", "BOM bill of materials parts list manual documentation")},

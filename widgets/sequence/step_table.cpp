@@ -306,7 +306,9 @@ void StepTable::addStuck(const StuckBody& stuck) {
   QStringList sentences{tr("%1 is stuck.").arg(shortNames({stuck.body}))};
   if (!stuck.blockedBy.empty()) sentences << tr("Blocked by %1.").arg(shortNames(stuck.blockedBy));
   if (!stuck.reason.empty()) sentences << sentence(engineText(stuck.reason));
-  sentences << tr("Next: move it by hand (menu of the row), or see the precedence graph.");
+  sentences << tr(
+      "Next: decide about its joints (Contacts > Joints), move it by hand (menu of the row), or see the "
+      "precedence graph.");
   row->setText(StepNumber, sentences.join(QLatin1Char(' ')));
   row->setToolTip(StepNumber, twoLines(nameOf(stuck.body), allNames(stuck.blockedBy)).trimmed());
 }

@@ -65,6 +65,7 @@ void NamedViewsController::fillMenu() {
   bench_.actions.setPassing(entries_);
   bench_.enable("views.save", bench_.document.scenario() != nullptr);
   bench_.enable("views.manage", !views_.empty());
+  emit viewsChanged(views_);
 }
 
 void NamedViewsController::save(const QString& name) {

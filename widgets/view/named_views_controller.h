@@ -23,6 +23,7 @@ class NamedViewsController final : public QObject {
 
  signals:
   void cameraMoved();
+  void viewsChanged(const glissade::NamedViews& views);
 
  private:
   void load();

@@ -1,8 +1,11 @@
 #include "widgets/workbench/messages.h"
 
 #include <QCoreApplication>
+#include <QDesktopServices>
+#include <QFileInfo>
 #include <QPushButton>
 #include <QStatusBar>
+#include <QUrl>
 
 #include "widgets/controls/diagnostic_text.h"
 #include "widgets/controls/plain_message_box.h"
@@ -11,6 +14,29 @@ namespace glissade {
 namespace {
 
 constexpr int kStatusMilliseconds = 10000;
+
+/// Opens the file in the desktop's program, or its folder if no program opens it.
+void openOnDesktop(const QFileInfo& file) {
+  if (QDesktopServices::openUrl(QUrl::fromLocalFile(file.absoluteFilePath()))) return;
+  QDesktopServices::openUrl(QUrl::fromLocalFile(file.absolutePath()));
+}
+
+/// A button beside the present message that opens the file. It disappears with the message.
+QToolButton* makeOpenButton(const QFileInfo& file, QStatusBar& bar) {
+  auto* button = new QToolButton(&bar);
+  button->setObjectName(QStringLiteral("open-saved"));
+  button->setText(QCoreApplication::translate("Messages", "Open"));
+  button->setToolTip(QCoreApplication::translate("Messages", "Open %1").arg(file.absoluteFilePath()));
+  button->setAccessibleName(button->toolTip());
+  button->setFocusPolicy(Qt::TabFocus);
+  bar.addPermanentWidget(button);
+  QObject::connect(button, &QToolButton::clicked, [file] { openOnDesktop(file); });
+  QObject::connect(&bar, &QStatusBar::messageChanged, button, [button] {
+    button->hide();
+    button->deleteLater();
+  });
+  return button;
+}
 
 }  // namespace
 
@@ -49,8 +75,8 @@ void Messages::showStatus(const QString& text) {
 void Messages::showSaved(const QString& text, const QString& file) {
   showStatus(text);
   if (quiet_) return;
-  if (openSaved_ == nullptr) openSaved_ = new OpenSavedButton(*window_.statusBar());
-  openSaved_->offer(file);
+  delete openSaved_;  // of a message with the same text
+  openSaved_ = makeOpenButton(QFileInfo(file), *window_.statusBar());
 }
 
 }  // namespace glissade

@@ -2,10 +2,10 @@
 
 #include <QMainWindow>
 #include <QPointer>
+#include <QToolButton>
 
 #include "engine/base/diagnostic.h"
 #include "widgets/controls/message_log.h"
-#include "widgets/workbench/open_saved_button.h"
 
 namespace glissade {
 
@@ -29,7 +29,7 @@ class Messages final {
 
  private:
   QMainWindow& window_;
-  QPointer<OpenSavedButton> openSaved_;  ///< of the status bar; null until a document is saved
+  QPointer<QToolButton> openSaved_;  ///< opens the document that the present message is about
   MessageLog log_;
   bool quiet_ = false;
 };

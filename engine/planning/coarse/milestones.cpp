@@ -16,9 +16,9 @@ MilestoneSampler::MilestoneSampler(const TopologicalMap& map, int border, std::u
     : region_(map.grid, borderOf(map, border).cells), stream_(seed, "milestone of " + borderOf(map, border).name) {}
 
 std::optional<Pose> MilestoneSampler::draw(CollisionQuery& query, const Box3& bounds) {
-  const Vector3 position = region_.sample(stream_);
+  const Vector3 position = region_.sample(stream_, bounds);
   const Pose q{position, RandomShooter::orientation(stream_)};
-  if (!bounds.contains(q.position) || query.collides(q)) return std::nullopt;
+  if (query.collides(q)) return std::nullopt;
   return q;
 }
 

@@ -23,6 +23,7 @@ SamplingRegionPtr regionOf(const Problem& problem, const SemanticEditsPtr& edits
 void PreferredPlaces::follow(const Problem& problem, const SemanticEditsPtr& edits) {
   if (edits == edits_) return;
   edits_ = edits;
+  bounds_ = problem.bounds;
   region_ = regionOf(problem, edits);
 }
 
@@ -30,7 +31,7 @@ Pose PreferredSampler::draw(const Box3& tree) {
   const SamplingRegionPtr& region = places_->current();
   drawnByOwn_ = !region || stream_.uniform() >= kShare;
   if (drawnByOwn_) return own_->draw(tree);
-  return {region->sample(stream_), RandomShooter::orientation(stream_)};
+  return {region->sample(stream_, places_->bounds()), RandomShooter::orientation(stream_)};
 }
 
 }  // namespace glissade

@@ -12,12 +12,14 @@ class PreferredPlaces {
  public:
   /// The region; null while no place is preferred.
   const SamplingRegionPtr& current() const { return region_; }
+  const Box3& bounds() const { return bounds_; }
   /// Takes over changed edits (null: none). Without knowledge of the problem's places none is preferred.
   void follow(const Problem& problem, const SemanticEditsPtr& edits);
 
  private:
   SemanticEditsPtr edits_;
   SamplingRegionPtr region_;
+  Box3 bounds_;  ///< of the problem
 };
 
 /// Draws from the preferred places for a member: one draw in five has its position there. While none is preferred it

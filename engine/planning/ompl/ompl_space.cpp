@@ -130,7 +130,7 @@ Pose OmplWorld::draw() {
   ++draws;
   Pose q;
   if (problem.region) {
-    q.position = problem.region->sample(stream);
+    q.position = problem.region->sample(stream, problem.bounds);
   } else {
     for (int axis = 0; axis < 3; ++axis) {
       q.position[axis] = stream.uniform(problem.bounds.min()[axis], problem.bounds.max()[axis]);

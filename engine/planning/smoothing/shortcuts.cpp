@@ -153,4 +153,23 @@ Path withShortcuts(const Path& path, const Problem& problem, const ParameterValu
   return shorter.certificate.status == CertificateStatus::Certified ? shorter : path;
 }
 
+Path withShortcutsOfComputer(const Path& path, const Problem& problem, const ParameterValues& parameters,
+                             std::uint64_t seed, int attempts, const StopToken& stop) {
+  const auto endsComputersEdge = [](const PathPoint& point) { return point.segmentAuthor == Author::Computer; };
+  const auto edges = std::count_if(path.points.begin() + 1, path.points.end(), endsComputersEdge);
+  Path shorter;
+  for (auto from = path.points.begin(); from != path.points.end();) {
+    const auto end = std::find_if_not(from + 1, path.points.end(), endsComputersEdge);
+    Points stretch(from, end);
+    if (stretch.size() > 2) {
+      const auto share = static_cast<int>(attempts * (end - from - 1) / edges);
+      stretch = withShortcuts({std::move(stretch), {}}, problem, parameters, seed, share, stop).points;
+    }
+    shorter.points.insert(shorter.points.end(), stretch.begin(), stretch.end());
+    from = end;
+  }
+  shorter.certificate = certifyPath(*problem.world->makeQuery(), shorter.points, parameters, stop);
+  return shorter.certificate.status == CertificateStatus::Certified ? shorter : path;
+}
+
 }  // namespace glissade

@@ -21,4 +21,10 @@ inline constexpr int kUsualShortcuts = 300;
 Path withShortcuts(const Path& path, const Problem& problem, const ParameterValues& parameters, std::uint64_t seed,
                    int attempts, const WorkWatch& watch = {});
 
+/// A certified path with withShortcuts() in those of its stretches whose motions are all the computer's. Motions that a
+/// hand has led and contact samples about the held object stay as they are. The attempts are shared among the stretches
+/// by their number of edges. Where a stop prevents the certificate, the path is returned unchanged.
+Path withShortcutsOfComputer(const Path& path, const Problem& problem, const ParameterValues& parameters,
+                             std::uint64_t seed, int attempts, const StopToken& stop = {});
+
 }  // namespace glissade

@@ -59,6 +59,16 @@ struct PlanOfWords : ::testing::Test {
   }
 };
 
+TEST_F(PlanOfWords, SayWhatAMotionThatFailsDoes) {
+  const auto why = [this](const check::PlanVerdict& judged) {
+    return toString(check::whyInvalid(judged.steps.front(), judgedProduct(product)));
+  };
+  EXPECT_THAT(why(judgePlan(plan, product, 0.001, {}, &said)),
+              HasSubstr("comes within 0.1 mm of 'drawer' on edge 0; the required clearance is 1 mm"));
+  plan.steps[0].path.insert(plan.steps[0].path.begin() + 1, PathPoint{Pose::translation({0.0, 0.0, -0.01})});
+  EXPECT_THAT(why(verdict()), HasSubstr("penetrates 'drawer' on edge 0"));
+}
+
 TEST_F(PlanOfWords, SaysHowPartsLeave) {
   const check::PlanVerdict judged = verdict();
   EXPECT_EQ(judged.outcome(), PlanOutcome::Valid) << check::reportText(judged, judgedProduct(product));

@@ -59,5 +59,23 @@ TEST(RandomShooter, StaysInTheRegionAndReachesAllOfIt) {
   for (const std::size_t cell : cells) EXPECT_NEAR(hits[cell], kCount / 3.0, 150);  // within four standard deviations
 }
 
+TEST(RandomShooter, StaysInTheBoundsWhereCellsOfTheRegionReachBeyondThem) {
+  CellGrid grid;
+  grid.frame = {Vector3(-1, -1, -1), 2.0};
+  grid.level = 2;
+  grid.counts = {4, 4, 4};
+  Problem problem = inBounds(Box3(Vector3::Constant(-1), Vector3(1.0, 1.0, 0.6)));
+  problem.region = std::make_shared<const SamplingRegion>(grid, std::vector<std::size_t>{62, 63});
+  RandomShooter shooter(problem, 2);
+  Box3 seen;
+  for (int i = 0; i < 1000; ++i) {
+    const Pose q = shooter.shoot();
+    ASSERT_TRUE(problem.bounds.contains(q.position)) << q.position.transpose();
+    seen.extend(q.position);
+  }
+  EXPECT_GT(seen.max().z(), 0.55);
+  EXPECT_LT(seen.min().z(), 0.05);
+}
+
 }  // namespace
 }  // namespace glissade

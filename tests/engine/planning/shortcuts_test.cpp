@@ -82,6 +82,42 @@ TEST(Shortcuts, KeepALargerRequirement) {
   EXPECT_GE(shorter.certificate.provedClearance, 0.03);
 }
 
+TEST(Shortcuts, OfTheComputerLeaveTheWayOfAHandAndItsContacts) {
+  const Problem problem = windowProblem();
+  const ParameterValues parameters(problem.world->objectRadius());
+  const auto at = [](double x, double y, double z, Author author) {
+    return PathPoint{Pose::translation({x, y, z}), author, author};
+  };
+  constexpr auto kComputer = Author::Computer;
+  constexpr auto kHand = Author::Operator;
+  Path path;
+  path.points = {{problem.start},
+                 at(-1.2, -0.4, 0.0, kComputer),
+                 at(-1.0, 0.4, 0.0, kComputer),
+                 at(-0.8, 0.0, 0.0, kComputer),
+                 at(-0.6, 0.1, 0.0, kHand),
+                 at(-0.6, -0.1, 0.0, kHand),
+                 at(-0.5, 0.0, 0.0, Author::Contact),
+                 at(0.8, 0.0, 0.0, kComputer),
+                 at(1.0, 0.5, 0.0, kComputer),
+                 {std::get<Pose>(problem.goal)}};
+  path.certificate = certifyPath(*problem.world->makeQuery(), path.points, parameters);
+  ASSERT_EQ(path.certificate.status, CertificateStatus::Certified);
+  const Path shorter = withShortcutsOfComputer(path, problem, parameters, 1, 300);
+  EXPECT_EQ(shorter.certificate.status, CertificateStatus::Certified);
+  EXPECT_EQ(shorter.certificate.edges.size() + 1, shorter.points.size());
+  const auto before = path.lengthByAuthor(problem.metric());
+  const auto after = shorter.lengthByAuthor(problem.metric());
+  EXPECT_LT(after[0], 0.9 * before[0]);
+  EXPECT_EQ(after[1], before[1]);
+  EXPECT_EQ(after[2], before[2]);
+  const auto kept = std::search(shorter.points.begin(), shorter.points.end(), path.points.begin() + 3,
+                                path.points.begin() + 7, [](const PathPoint& a, const PathPoint& b) {
+                                  return a.q == b.q && a.author == b.author && a.segmentAuthor == b.segmentAuthor;
+                                });
+  EXPECT_NE(kept, shorter.points.end());
+}
+
 TEST(PathCertificate, SlidingEdgesAreHeldToTheContactGap) {
   const Problem problem = windowProblem();
   ParameterValues parameters(problem.world->objectRadius());

@@ -52,6 +52,8 @@ TEST_F(LengthTextTest, NeverShowsZeroForALengthThatIsNot) {
 
 TEST_F(LengthTextTest, LengthsOfOneThingHaveTheDigitsOfTheLargest) {
   EXPECT_EQ(lengthsText({0.04, -0.0125, 0.0}, QStringLiteral(" × ")), QString::fromUtf8("40.0 × −12.5 × 0.0 mm"));
+  EXPECT_EQ(lengthsText({-3.75e-5, -1e-12, 0.0}, QStringLiteral("  ")),
+            QString::fromUtf8("−0.0375  0.0000  0.0000 mm"));
   setLengthUnit(LengthUnit::Metres);
   EXPECT_EQ(lengthsText({4.85, 0.012}, QStringLiteral("  ")), QStringLiteral("4.85  0.01 m"));
   EXPECT_EQ(lengthsText({0.0, 0.0}, QStringLiteral("  ")), QStringLiteral("0  0 m"));
@@ -69,6 +71,22 @@ TEST_F(LengthTextTest, AColumnHasOneUnit) {
   EXPECT_EQ(columnLengthText(0.000873), QStringLiteral("0.873 mm")) << "gaps are small";
   setLengthUnit(LengthUnit::Inches);
   EXPECT_EQ(columnLengthText(0.0254), QStringLiteral("1.00 in"));
+}
+
+TEST_F(LengthTextTest, APlotHasOneUnitAndMarksWithoutZerosAtTheEnd) {
+  setLengthUnit(LengthUnit::Metres);
+  const PlotLengths small(1e-5);
+  EXPECT_EQ(small.mark(1e-5), QStringLiteral("0.01 mm"));
+  EXPECT_EQ(small.mark(1e-3), QStringLiteral("1 mm"));
+  EXPECT_EQ(small.mark(1.0), QStringLiteral("1000 mm"));
+  EXPECT_EQ(small.text(0.15), QStringLiteral("150 mm"));
+  EXPECT_EQ(small.text(1.23e-5), QStringLiteral("0.0123 mm"));
+  EXPECT_EQ(PlotLengths(0.02).mark(0.1), QStringLiteral("0.1 m"));
+  setLengthUnit(LengthUnit::Millimetres);
+  EXPECT_EQ(PlotLengths(1e-7).mark(1e-6), QString::fromUtf8("1 µm"));
+  EXPECT_EQ(PlotLengths(1e-6).text(1.23e-6), QStringLiteral("0.0012 mm"));
+  setLengthUnit(LengthUnit::Inches);
+  EXPECT_EQ(PlotLengths(0.00254).mark(0.0254), QStringLiteral("1 in"));
 }
 
 TEST_F(LengthTextTest, FieldsShowAsFineADifferenceAsTheyAreAskedFor) {

@@ -4,6 +4,9 @@
 
 #include <QApplication>
 #include <QRegularExpression>
+#include <QScrollBar>
+
+#include "widgets/controls/name_table.h"
 
 namespace glissade {
 namespace {
@@ -63,6 +66,25 @@ TEST_F(NameElisionTest, ANumberIsWholeOrLeftOut) {
       }
     }
   }
+}
+
+TEST(NameTable, NamesHaveAReadableWidthAndTheTableIsScrolled) {
+  NameTable table({{1, 0.5}, {2, 0.5}}, nullptr);
+  table.setColumnCount(4);
+  for (const QString& name : bracketNames()) {
+    table.addTopLevelItem(new SortedRow({QStringLiteral("cylindrical"), name, name, QStringLiteral("allowed")}));
+  }
+  const int readable = 20 * table.fontMetrics().averageCharWidth();
+  table.resize(320, 200);
+  table.show();
+  table.fitColumns();
+  EXPECT_GE(table.columnWidth(1), readable);
+  EXPECT_GE(table.columnWidth(2), readable);
+  EXPECT_GT(table.horizontalScrollBar()->maximum(), 0);
+  table.resize(1200, 200);
+  EXPECT_GE(table.columnWidth(1), 2 * readable);
+  QApplication::processEvents();
+  EXPECT_EQ(table.horizontalScrollBar()->maximum(), 0);
 }
 
 }  // namespace

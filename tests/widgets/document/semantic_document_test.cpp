@@ -44,6 +44,19 @@ TEST_F(SemanticDocumentTest, AnEditOfSeveralPlacesIsOneStepBack) {
   EXPECT_EQ(complexity(1), 7.0);
 }
 
+TEST_F(SemanticDocumentTest, APlaceThatAnotherModelLacksIsNoLongerSelected) {
+  const auto count = [](const SceneKnowledge& known) { return static_cast<int>(known.environment->map.places.size()); };
+  const int before = count(*document.knowledge());
+  auto other = loadScenario(test::sourceDirectory() + "/samples/sliding-plane/scenario.json");
+  const SceneKnowledgePtr fewer = *buildSceneKnowledge(other->problem, 1e-6);
+  ASSERT_LT(count(*fewer), before);
+  document.select(places({0, before - 1}));
+  QSignalSpy selected(&document, &SemanticDocument::selectionChanged);
+  QObject::connect(&document, &SemanticDocument::changed, [&] { EXPECT_EQ(document.selection(), places({0})); });
+  document.setKnowledge(fewer);
+  EXPECT_EQ(selected.count(), 1);
+}
+
 /// The attributes of an assembly hold for its bodies, unless a body has its own value.
 TEST_F(SemanticDocumentTest, AnAssemblysAttributesAreThoseOfItsBodies) {
   LoadedScenario loaded = *scenario;

@@ -133,6 +133,30 @@ TEST_P(Bridge, APathThatWasFoundGoesAlongAsFarAsItHolds) {
   EXPECT_FALSE(settled(*bridge.snapshot()));
 }
 
+TEST_P(Bridge, ARunOutlivesAnotherNameOfABody) {
+  const ScenarioPtr before = slidingPlane();
+  Scenario renamed = before->scenario;
+  renamed.bodies.front().name = "renamed";
+  auto loaded = loadGeometry(renamed, folderOf(before->file), before->file, before->geometry);
+  const auto after = std::make_shared<const LoadedScenario>(std::move(*loaded));
+  SessionBridge bridge(GetParam());
+  bridge.open(before);
+  bridge.setDevice("expert");
+  bridge.post(command::Start{});
+  ASSERT_TRUE(reach(bridge, SessionState::Solved));
+  const std::shared_ptr<const Path> path = bridge.snapshot()->path;
+  const std::uint64_t nodes = bridge.snapshot()->counts.nodes;
+  QSignalSpy spy(&bridge, &SessionBridge::snapshotChanged);
+  bridge.rearrange(after);
+  EXPECT_FALSE(spy.isEmpty()) << "observers of the arrangement wait for a snapshot";
+  EXPECT_EQ(bridge.snapshot()->path, path);
+  EXPECT_EQ(bridge.snapshot()->counts.nodes, nodes);
+  EXPECT_GT(nodes, 2U);
+  bridge.forgetPath();  // a step by hand ends: its path belongs to other bodies
+  bridge.rearrange(before);
+  EXPECT_EQ(bridge.snapshot()->path, nullptr);
+}
+
 TEST_P(Bridge, AnotherDeviceKeepsWhatTheUserHasSet) {
   SessionBridge bridge(GetParam());
   bridge.open(slidingPlane());

@@ -2,6 +2,8 @@
 #include "widgets/headset/headset_controller.h"
 
 #include <QStatusBar>
+#include <QToolButton>
+#include <numbers>
 
 #include "tests/app/whole_window.h"
 #include "tests/widgets/headset/said_headset.h"
@@ -101,6 +103,41 @@ TEST_F(HeadsetControllerTest, TheProductIsAtTrueScaleOrOnATable) {
   EXPECT_EQ(window_.openScenario(test::WholeWindowTest::sample("teaching"), true), std::nullopt);
   const Box3 product = window_.workbench().scene.view().extent();
   EXPECT_DOUBLE_EQ(headset_.room().scale * product.sizes().maxCoeff(), 0.6);
+}
+
+TEST_F(HeadsetControllerTest, APersonStandsWhereTheCameraOfANamedViewIs) {
+  CameraController& camera = window_.workbench().scene.view().camera();
+  const ScriptCommands& scripts = window_.workbench().scripts;
+  CameraPose pose = camera.pose();
+  pose.focus = {1.0, 2.0, 3.0};
+  pose.R_WV = Quaternion(Eigen::AngleAxisd(std::numbers::pi / 2.0, Vector3::UnitX()));  // looks along y
+  pose.distance = 4.0;
+  camera.setPose(pose);
+  EXPECT_TRUE(scripts.carryOut("save-view", {"Front"}).ok());
+  action("view.headset").trigger();
+  pose.R_WV = Quaternion::Identity();  // looks straight down
+  camera.setPose(pose);
+  EXPECT_TRUE(scripts.carryOut("save-view", {"Above"}).ok());
+  for (const bool onTable : {false, true}) {
+    if (onTable) action("headset.on-table").trigger();
+    const double scale = headset_.room().scale;
+    const auto standAt = [](const char* name) {
+      for (QWidget* widget : QApplication::allWidgets()) {
+        auto* button = qobject_cast<QToolButton*>(widget);
+        const bool isOnPage = button != nullptr && button->window()->objectName() == QStringLiteral("headset-page");
+        if (isOnPage && button->text() == QLatin1String(name)) button->click();
+      }
+    };
+    const auto eye = [&] { return inWorld(headset_.room(), Pose::translation({0.0, 1.6, 0.0})).position; };
+    const auto ahead = [this] { return Vector3(headset_.room().X_WR.orientation * -Vector3::UnitZ()); };
+    standAt("Front");
+    EXPECT_TRUE(eye().isApprox(Vector3(1.0, -2.0, 3.0), 1e-9)) << eye().transpose();
+    EXPECT_TRUE(ahead().isApprox(Vector3::UnitY(), 1e-9)) << ahead().transpose();
+    standAt("Above");
+    EXPECT_TRUE(eye().isApprox(Vector3(1.0, 2.0, 7.0), 1e-9)) << eye().transpose();
+    EXPECT_TRUE(ahead().isApprox(Vector3::UnitY(), 1e-9)) << ahead().transpose();
+    EXPECT_EQ(headset_.room().scale, scale);
+  }
 }
 
 TEST_F(HeadsetControllerTest, TheShareOfTheComputerFollowsTheGripThatHoldsTheObject) {

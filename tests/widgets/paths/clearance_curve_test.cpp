@@ -44,6 +44,16 @@ TEST_F(ClearanceCurveTest, SaysDistanceAndBodyOfThePlaceThatIsShown) {
   EXPECT_TRUE(curve.accessibleDescription().contains(QStringLiteral("left")));
 }
 
+TEST_F(ClearanceCurveTest, LengthsAreInTheUnitOfItsAxis) {
+  QLocale::setDefault(QLocale::c());
+  setLengthUnit(LengthUnit::Metres);
+  curve.setPlace(0.0);
+  EXPECT_EQ(curve.accessibleDescription(), QStringLiteral("5.01 mm to left"));
+  curve.setPlace(0.5);
+  EXPECT_EQ(curve.accessibleDescription(), QStringLiteral("0.0100 mm to right"));
+  setLengthUnit(LengthUnit::Millimetres);
+}
+
 TEST_F(ClearanceCurveTest, AClickChoosesThePlaceUnderIt) {
   QSignalSpy chosen(&curve, &ClearanceCurve::placeChosen);
   press(299.0);

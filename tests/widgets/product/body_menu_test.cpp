@@ -1,6 +1,7 @@
 // A person renames a body in the list, and selects several bodies with a box in the scene.
 #include <gtest/gtest.h>
 
+#include <QLabel>
 #include <QMouseEvent>
 
 #include "tests/app/whole_window.h"
@@ -55,6 +56,37 @@ TEST_P(BodyMenuTest, ABodyIsRenamedInTheListAndTheNameCanBeUndone) {
   EXPECT_EQ(rowOf(id)->text(0), before);
   rowOf(id)->setText(0, QStringLiteral("a/b"));
   EXPECT_EQ(rowOf(id)->text(0), before) << "the name would be that of an assembly";
+}
+
+TEST_P(BodyMenuTest, ARunAndItsResultOutliveANameOfABody) {
+  ASSERT_EQ(window_->openScenario(sample("sliding-plane"), true), std::nullopt);
+  const auto snapshot = [this] { return window_->workbench().session.snapshot(); };
+  const auto certificate = [this] { return window_->findChild<QLabel*>(QStringLiteral("certificate"))->text(); };
+  const auto runToTheEnd = [this] {
+    action("run.start")->trigger();
+    ASSERT_TRUE(window_->workbench().scripts.carryOut("wait", {"ended", "20000"}));
+  };
+  runToTheEnd();
+  ASSERT_EQ(snapshot()->state, SessionState::Solved);
+  const SnapshotPtr solved = snapshot();
+  const int nearest = solved->path->certificate.nearest.body;
+  const QString before = certificate();
+  rowOf(document().scenario()->obstacles.at(static_cast<std::size_t>(nearest)).id)->setText(0, QStringLiteral("Rail"));
+  EXPECT_EQ(snapshot()->state, SessionState::Solved);
+  EXPECT_EQ(snapshot()->path, solved->path);
+  EXPECT_EQ(snapshot()->counts.nodes, solved->counts.nodes);
+  EXPECT_NE(window_->workbench().run.snapshot(), nullptr);
+  EXPECT_TRUE(certificate().contains(QStringLiteral("Rail"))) << certificate().toStdString();
+  action("edit.undo")->trigger();
+  EXPECT_EQ(certificate(), before);
+  EXPECT_EQ(snapshot()->path, solved->path);
+  const RigidBody rail = document().scenario()->obstacles.back();
+  ASSERT_TRUE(document().place({AssemblyItem::Kind::Start, {}}, rail.X_WB));
+  rowOf(rail.id)->setText(0, QStringLiteral("Beam"));
+  runToTheEnd();
+  ASSERT_TRUE(snapshot()->problem);
+  const std::string refused = toString(*snapshot()->problem);
+  EXPECT_NE(refused.find("Beam"), std::string::npos) << refused;
 }
 
 TEST_P(BodyMenuTest, ABoxSelectsTheBodiesInIt) {

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QSignalSpy>
+#include <QStyleOptionComboBox>
 #include <QTest>
 
 namespace glissade {
@@ -48,6 +50,21 @@ TEST_F(InteractionPanelTest, ShowsAStrategyOfResearchThatIsInForce) {
   showRunOf("ompl-prm");
   EXPECT_EQ(list().chosen(), QStringLiteral("ompl-prm"));
   EXPECT_EQ(listed().size(), static_cast<int>(makePlannerRegistry().entries().size()));
+}
+
+TEST_F(InteractionPanelTest, TheNameOfTheStrategyIsNotCut) {
+  panel.resize(300, 800);
+  panel.show();
+  const PlannerRegistry planners = makePlannerRegistry();
+  for (const PlannerEntry& entry : planners.entries()) {
+    showRunOf(entry.id.c_str());
+    QApplication::processEvents();
+    QStyleOptionComboBox option;
+    option.initFrom(&list());
+    const QRect room =
+        list().style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &list());
+    EXPECT_GE(room.width(), list().fontMetrics().horizontalAdvance(list().currentText())) << entry.id;
+  }
 }
 
 TEST_F(InteractionPanelTest, ADeviceThatIsNotThereIsGreyAndSaysWhy) {

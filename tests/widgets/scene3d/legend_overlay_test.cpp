@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/files/scenario_io.h"
+#include "engine/files/scenario_ptr.h"
 #include "tests/engine/support/directories.h"
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/contact_layer.h"
+#include "widgets/scene3d/environment_layers.h"
 #include "widgets/scene3d/guidance_layer.h"
 #include "widgets/scene3d/label_placement.h"
 #include "widgets/scene3d/scale_bar.h"
@@ -20,7 +23,8 @@ class LegendOverlayTest : public testing::Test {
  protected:
   LegendOverlayTest() {
     auto loaded = loadScenario(test::sourceDirectory() + "/samples/sliding-plane/scenario.json");
-    view.setScenario(std::make_shared<const LoadedScenario>(std::move(*loaded)));
+    scenario = std::make_shared<const LoadedScenario>(std::move(*loaded));
+    view.setScenario(scenario);
     scene.resize(900, 600);
     legend.resize(scene.size());
     scene.show();
@@ -40,6 +44,7 @@ class LegendOverlayTest : public testing::Test {
     view.setSnapshot(snapshot);
   }
 
+  ScenarioPtr scenario;
   SceneView view;
   QWidget scene;
   ViewCube cube{view, &scene};
@@ -57,6 +62,33 @@ TEST_F(LegendOverlayTest, ListsWhatIsDrawnNow) {
   view.setLayerVisible(SceneLayer::Roadmap, false);
   view.setLayerVisible(SceneLayer::StartAndGoal, false);
   EXPECT_EQ(legend.texts(), (QStringList{"Moving part", "Workspace"}));
+}
+
+TEST_F(LegendOverlayTest, TheSelectionAStepAndItsPathHaveColoursOfTheirOwn) {
+  const std::size_t obstacles = scenario->obstacles.size();
+  EnvironmentPicture environment;
+  environment.selectedBodies = {scenario->obstacles.front().id};
+  view.setEnvironment(environment);
+  SequencePicture step;
+  step.bodies.resize(obstacles + 1);
+  step.bodies.back().marked = true;
+  step.way = {Vector3::Zero(), Vector3::UnitX()};
+  view.setSequence(step);
+  for (const Theme theme : {Theme::Light, Theme::Dark}) {
+    view.setTheme(theme);
+    std::vector<Colour> colours;
+    for (const LegendRow& row : view.legend()) {
+      const bool isOne =
+          row.item == LegendItem::Selected || row.item == LegendItem::MovingPart || row.item == LegendItem::WayOfPart;
+      if (isOne) colours.push_back(row.colours.front());
+    }
+    ASSERT_EQ(colours.size(), 3U);
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+      const Colour& a = colours[i];
+      const Colour& b = colours[(i + 1) % colours.size()];
+      EXPECT_GT(std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]), 0.3) << i;
+    }
+  }
 }
 
 TEST_F(LegendOverlayTest, IsEmptyWithoutAScenarioAndWhereItIsHidden) {

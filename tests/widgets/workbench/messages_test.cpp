@@ -60,7 +60,9 @@ TEST(Messages, ADocumentThatWasSavedCanBeOpenedUntilAnotherMessageComes) {
   window.statusBar();
   window.show();
   Messages messages(window);
+  messages.showSaved(QStringLiteral("a.html was saved"), QStringLiteral("/elsewhere/a.html"));
   messages.showSaved(QStringLiteral("a.html was saved"), QStringLiteral("/folder/a.html"));
+  EXPECT_EQ(window.findChildren<QAbstractButton*>(QStringLiteral("open-saved")).size(), 1);
   const auto* open = window.findChild<QAbstractButton*>(QStringLiteral("open-saved"));
   ASSERT_NE(open, nullptr);
   EXPECT_TRUE(open->isVisible());
