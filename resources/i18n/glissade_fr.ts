@@ -3592,10 +3592,6 @@
         <translation>Limite de temps en secondes&#xa0;; le plan trouvé jusque-là est alors écrit&#xa0;; 0&#xa0;: aucune</translation>
     </message>
     <message>
-        <source>Bodies fixed as base: they are not removed (default: the largest)</source>
-        <translation>Corps fixés comme base&#xa0;: ils ne se démontent pas (par défaut&#xa0;: le plus grand)</translation>
-    </message>
-    <message>
         <source>Bodies that are removed as one: names with commas between them</source>
         <translation>Corps qui se démontent ensemble&#xa0;: des noms séparés par des virgules</translation>
     </message>
@@ -10882,10 +10878,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>contrainte à une autre place</translation>
     </message>
     <message>
-        <source>the largest part</source>
-        <translation>la plus grande pièce</translation>
-    </message>
-    <message>
         <source>screw into %1, %2 {2|turn|turns}</source>
         <translation>visser dans %1, %2 {2|tour|tours}</translation>
     </message>
@@ -11598,6 +11590,10 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>comes within %3 of &apos;%2&apos; on edge %1; the required clearance is %4</source>
         <translation>s&apos;approche à %3 de «&#xa0;%2&#xa0;» sur le segment %1&#xa0;; le jeu exigé est de %4</translation>
+    </message>
+    <message>
+        <source>Bodies fixed as base: they are not removed (default: a large one that touches many)</source>
+        <translation>Corps fixés comme base&#xa0;: ils ne se démontent pas (par défaut&#xa0;: un grand que beaucoup touchent)</translation>
     </message>
 </context>
 <context>
