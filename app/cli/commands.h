@@ -132,13 +132,16 @@ struct JointsOptions {
 /// glissade-cli joints: reports how the bodies of a product or scenario are joined, including the scenario's joints.
 int runJoints(const JointsOptions& options);
 
+/// glissade-cli liaisons: the liaison graph of a product or scenario, as CSV or JSON for other programs.
+int runLiaisons(const JointsOptions& options);
+
 struct SequenceOptions {
   std::string file;                    ///< a scenario, or a part file as usualPart() takes it
   std::string strategy;                ///< empty: kUsualStrategy, or the strategy of the resumed plan
   std::optional<std::uint64_t> seed;   ///< absent: 1, or the seed of the resumed plan
   double timeLimit = 0.0;              ///< seconds; 0: none
   std::size_t lanes = usableCores();   ///< threads; they do not change the plan
-  std::vector<std::string> staying;    ///< ids or ends of ids of bodies that stay; empty: the largest body
+  std::vector<std::string> staying;    ///< ids or ends of ids of bodies that stay; empty: see baseOf()
   std::vector<std::string> together;   ///< demands: names with commas between them
   std::vector<std::string> before;     ///< demands: "first,then"
   std::vector<std::string> places;     ///< demands: "3,name" or "3,name,name"

@@ -249,9 +249,8 @@ ParsedCommand addFits(const ParsedCommand& app, FitsOptions& options) {
   return fits;
 }
 
-ParsedCommand addJoints(const ParsedCommand& app, JointsOptions& options) {
-  const ParsedCommand joints =
-      app.subcommand("joints", GLISSADE_TEXT("List how the bodies of a product are joined: screws, nuts, inserts"));
+/// Adds the options of commands about the joints of a product.
+ParsedCommand addJointOptions(const ParsedCommand& joints, JointsOptions& options) {
   joints
       .option("FILE", options.file,
               GLISSADE_TEXT("Scenario, STEP, IGES or BREP file, or an assembly in one (product.step:pump)"))
@@ -267,6 +266,18 @@ ParsedCommand addJoints(const ParsedCommand& app, JointsOptions& options) {
   addOpen(joints, options.open);
   addConsole(joints, options.console);
   return joints;
+}
+
+ParsedCommand addJoints(const ParsedCommand& app, JointsOptions& options) {
+  return addJointOptions(
+      app.subcommand("joints", GLISSADE_TEXT("List how the bodies of a product are joined: screws, nuts, inserts")),
+      options);
+}
+
+ParsedCommand addLiaisons(const ParsedCommand& app, JointsOptions& options) {
+  return addJointOptions(
+      app.subcommand("liaisons", GLISSADE_TEXT("Write the liaison graph of a product as CSV: what holds which bodies")),
+      options);
 }
 
 ParsedCommand addSequence(const ParsedCommand& app, SequenceOptions& options) {
@@ -509,15 +520,25 @@ RunnableCommand runnable(const ParsedCommand& app, ParsedCommand (*add)(const Pa
 }
 
 std::vector<RunnableCommand> addCommands(const ParsedCommand& app) {
-  return {runnable(app, addPlan, runPlan),          runnable(app, addReplay, runReplay),
-          runnable(app, addCheck, runCheck),        runnable(app, addSmooth, runSmooth),
-          runnable(app, addSweep, runSweep),        runnable(app, addInfo, runInfo),
-          runnable(app, addFits, runFits),          runnable(app, addJoints, runJoints),
-          runnable(app, addSequence, runSequence),  runnable(app, addCompare, runCompare),
-          runnable(app, addTimes, runTimes),        runnable(app, addAccess, runAccess),
-          runnable(app, addStudy, runStudyCommand), runnable(app, addMerge, runMerge),
-          runnable(app, addReport, runReport),      runnable(app, addBenchmarkPage, runBenchmarkPage),
-          runnable(app, addConvert, runConvert),    runnable(app, addNew, runNew)};
+  return {runnable(app, addPlan, runPlan),
+          runnable(app, addReplay, runReplay),
+          runnable(app, addCheck, runCheck),
+          runnable(app, addSmooth, runSmooth),
+          runnable(app, addSweep, runSweep),
+          runnable(app, addInfo, runInfo),
+          runnable(app, addFits, runFits),
+          runnable(app, addJoints, runJoints),
+          runnable(app, addLiaisons, runLiaisons),
+          runnable(app, addSequence, runSequence),
+          runnable(app, addCompare, runCompare),
+          runnable(app, addTimes, runTimes),
+          runnable(app, addAccess, runAccess),
+          runnable(app, addStudy, runStudyCommand),
+          runnable(app, addMerge, runMerge),
+          runnable(app, addReport, runReport),
+          runnable(app, addBenchmarkPage, runBenchmarkPage),
+          runnable(app, addConvert, runConvert),
+          runnable(app, addNew, runNew)};
 }
 
 /// The language that the arguments ask for, before they are parsed, so that the help is in it.

@@ -962,6 +962,25 @@ TEST_F(Cli, JointsOfAProductAreListed) {
   EXPECT_EQ(run("joints").exitCode, 2);
 }
 
+TEST_F(Cli, TheLiaisonGraphIsWrittenForOtherPrograms) {
+  const std::string product = glissade::test::stepFile("tapped-nut.step");
+  const Finished json = run("liaisons " + product + " --json");
+  ASSERT_EQ(json.exitCode, 0) << json.err;
+  const Json graph = Json::parse(json.out);
+  ASSERT_EQ(graph["liaisons"].size(), 3U) << json.out;
+  EXPECT_EQ(graph["clusters"].size(), 1U);
+  const Json& bolt = graph["liaisons"][0];
+  EXPECT_EQ(bolt["a"], "plate");
+  EXPECT_EQ(bolt["contact"], "cylindrical");
+  EXPECT_EQ(bolt["lets_go"].size(), 2U) << "both senses of the axis";
+  const Json& nut = graph["liaisons"][2];
+  EXPECT_EQ(nut["joints"], Json::array({"nut"}));
+  EXPECT_EQ(nut["lets_go"].size(), 1U) << "a nut leaves by the end of its bolt";
+  const Finished csv = run("liaisons " + product);
+  EXPECT_EQ(csv.out.rfind("a,b,contact,joints,x,y,z\nplate,", 0), 0U) << csv.out;
+  EXPECT_EQ(run("liaisons " + (folder / "absent.step").string()).exitCode, 3);
+}
+
 TEST_F(Cli, AWordAboutAJointThatCannotBeIsOneMessage) {
   const std::string made = (folder / "joints.json").string();
   const std::string product = glissade::test::stepFile("fits.step");
