@@ -275,9 +275,7 @@ ParsedCommand addJoints(const ParsedCommand& app, JointsOptions& options) {
 }
 
 ParsedCommand addLiaisons(const ParsedCommand& app, JointsOptions& options) {
-  return addJointOptions(
-      app.subcommand("liaisons", GLISSADE_TEXT("Write the liaison graph of a product as CSV: what holds which bodies")),
-      options);
+  return addJointOptions(app.subcommand("liaisons", GLISSADE_TEXT("Write the liaison graph as CSV or JSON")), options);
 }
 
 ParsedCommand addSequence(const ParsedCommand& app, SequenceOptions& options) {

@@ -22,6 +22,7 @@ bool allowSame(const Fit& a, const Fit& b) {
 }  // namespace
 
 bool isSameProblem(const LoadedScenario& a, const LoadedScenario& b) {
+  if (&a == &b) return true;
   const std::vector<Fit>& before = a.fits.allowed;
   const std::vector<Fit>& after = b.fits.allowed;
   return a.fitsPending == b.fitsPending &&

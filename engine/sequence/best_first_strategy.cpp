@@ -146,18 +146,6 @@ class Reordering {
     figures.assemblyChange = last == nullptr ? 0.0 : assemblyChangeOf(assemblies_[step], assemblies_[*last]);
   }
 
-  /// Number of stacks of which some bodies have left and others remain.
-  double openStacks(const BodySet& remaining) const {
-    if (question_.joints == nullptr) return 0.0;
-    const BodySet initial = question_.initial();
-    const std::vector<BodyGroup>& stacks = question_.joints->stacks();
-    return static_cast<double>(std::count_if(stacks.begin(), stacks.end(), [&](const BodyGroup& stack) {
-      const auto isThere = [&](std::size_t body) { return remaining[body]; };
-      const auto hasLeft = [&](std::size_t body) { return initial[body] && !remaining[body]; };
-      return std::any_of(stack.begin(), stack.end(), isThere) && std::any_of(stack.begin(), stack.end(), hasLeft);
-    }));
-  }
-
   double costOfStep(std::size_t step, const std::size_t* last, const std::vector<bool>& done) {
     StepFigures figures = figuresOf(step, last, done);
     BodySet present = question_.initial();
@@ -167,10 +155,10 @@ class Reordering {
     const BodySet remaining = without(present, groups_[step]);
     if (cost_.uses("in_air")) figures.inAir = holding_.isInAir(groups_[step], remaining);
     if (cost_.uses("unfastened")) figures.unfastened = static_cast<double>(holding_.unfastened(remaining));
+    if (cost_.uses("open_stacks")) figures.openStacks = static_cast<double>(holding_.openStacks(remaining));
     if (question_.standing != nullptr && cost_.uses("falling")) {
       figures.falling = static_cast<double>(question_.standing->newlyFalling(present, groups_[step]).size());
     }
-    if (cost_.uses("open_stacks")) figures.openStacks = openStacks(remaining);
     if (tools_) {
       const auto tool = tools_->toolOf(step, remaining, stop_);
       figures.toolBlocked = tool && tool->access == ToolAccess::Blocked;
@@ -194,9 +182,8 @@ class Reordering {
   std::vector<std::vector<std::size_t>> assemblies_;  ///< tree path of the first body's assembly, for each step
   std::vector<std::size_t> tasks_;
   std::vector<std::size_t> stacks_;
-  std::vector<std::size_t>
-      openers_;                     ///< for each step, the step that opens its stack; for other steps, the step itself
-  std::optional<ToolFacts> tools_;  ///< set if the cost uses the access of tools
+  std::vector<std::size_t> openers_;  ///< the step that opens the stack of each step; without a stack, the step itself
+  std::optional<ToolFacts> tools_;    ///< set if the cost uses the access of tools
 };
 
 /// The bodies that are there after the first n steps of the plan, for each n.

@@ -47,6 +47,16 @@ std::size_t Holding::unfastened(const BodySet& remaining) const {
                                                 [&](std::size_t body) { return remaining[body] && !joined[body]; }));
 }
 
+std::size_t Holding::openStacks(const BodySet& remaining) const {
+  if (question_.joints == nullptr) return 0;
+  const BodySet initial = question_.initial();
+  const std::vector<BodyGroup>& stacks = question_.joints->stacks();
+  return static_cast<std::size_t>(std::count_if(stacks.begin(), stacks.end(), [&](const BodyGroup& stack) {
+    const auto hasLeft = [&](std::size_t body) { return initial[body] && !remaining[body]; };
+    return isAnyThere(stack, remaining) && std::any_of(stack.begin(), stack.end(), hasLeft);
+  }));
+}
+
 BodySet Holding::joinedToBase(const BodySet& there) const {
   JoinedSets sets(there.size());
   const auto join = [&](std::size_t one, std::size_t other) {

@@ -19,6 +19,8 @@ class Holding {
   /// Number of bodies of `remaining` that screws, nuts, threads and pins joined to the base at the beginning, directly
   /// or through others, and no longer do.
   std::size_t unfastened(const BodySet& remaining) const;
+  /// Number of fastener stacks (JointRules::stacks()) of which some bodies have left and others remain.
+  std::size_t openStacks(const BodySet& remaining) const;
 
  private:
   BodySet joinedToBase(const BodySet& there) const;

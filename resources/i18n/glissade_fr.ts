@@ -11596,8 +11596,8 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <translation>Corps fixés comme base&#xa0;: ils ne se démontent pas (par défaut&#xa0;: un grand que beaucoup touchent)</translation>
     </message>
     <message>
-        <source>Write the liaison graph of a product as CSV: what holds which bodies</source>
-        <translation>Écrire en CSV le graphe des liaisons d&apos;un produit&#xa0;: ce qui tient quels corps</translation>
+        <source>Write the liaison graph as CSV or JSON</source>
+        <translation>Écrire le graphe des liaisons en CSV ou en JSON</translation>
     </message>
 </context>
 <context>

@@ -168,18 +168,24 @@ class Instructor {
     }
   }
 
-  /// A sentence for each step that brings a part of another kind: "Insert 3 × bolt. Screw on 3 × nut."
+  /// A sentence for each kind of work, with the parts that it brings: "Insert 3 × bolt. Screw on 3 × nut."
   std::string workOf(const InstructionPanel& panel) const {
-    std::string work;
+    std::vector<std::pair<const AssemblyStep*, std::string>> sentences;  // a step of the work, and its parts
+    const auto sentenceOf = [&](const AssemblyStep& step, const std::string& what) {
+      return workSentence(step, what, words_.words());
+    };
     for (const AssemblyStep& step : panel.steps) {
       const Ids bodies = step.bodies();
-      std::string what;
       for (const FetchedPart& part : panel.fetched) {
         if (std::find(bodies.begin(), bodies.end(), part.bodies.front()) == bodies.end()) continue;
+        const bool isSameWork = !sentences.empty() && sentenceOf(*sentences.back().first, {}) == sentenceOf(step, {});
+        if (!isSameWork) sentences.emplace_back(&step, "");
+        std::string& what = sentences.back().second;
         what += (what.empty() ? "" : ", ") + countedName(part.name, part.count);
       }
-      if (!what.empty()) work += (work.empty() ? "" : " ") + workSentence(step, what, words_.words());
     }
+    std::string work;
+    for (const auto& [step, what] : sentences) work += (work.empty() ? "" : " ") + sentenceOf(*step, what);
     return work;
   }
 

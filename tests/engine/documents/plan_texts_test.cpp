@@ -266,7 +266,7 @@ TEST(PlanReport, StepsOfOneTaskAreOnePage) {
   const auto page =
       reportHtml(planReport({plan, product, "drawer", 0.0, {}, {}, {}, "", "", {}}, wordsIn(Language::English)));
   ASSERT_TRUE(page.ok());
-  EXPECT_NE(page->find("Steps 1 to 2 of 2: 2 × pin"), std::string::npos);
+  EXPECT_NE(page->find("Steps 1 to 2 of 2: pin, cap"), std::string::npos);
   EXPECT_EQ(countOf("2 times: screw in M3x8, 9.5 turns", *page), 1U);
   EXPECT_EQ(page->find("Step 2 of 2"), std::string::npos);
 }
