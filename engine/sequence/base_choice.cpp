@@ -18,8 +18,9 @@ double lowestOf(const RigidBody& body, const Vector3& up) {
   return up.dot(box.center()) - 0.5 * up.cwiseAbs().dot(box.sizes());
 }
 
-std::vector<bool> mayBeBase(std::size_t bodies, const Joints& joints) {
+std::vector<bool> mayBeBase(std::size_t bodies, const Joints& joints, const std::vector<FastenerKind>& fasteners) {
   std::vector<bool> may(bodies, true);
+  for (std::size_t body = 0; body < fasteners.size(); ++body) may[body] = fasteners[body] == FastenerKind::None;
   for (const Joint& joint : joints) {
     const bool isUnit = joint.kind == JointKind::Unit || joint.kind == JointKind::Permanent;
     if (!isUnit && joint.kind != JointKind::Snap) may[joint.body] = false;
@@ -30,20 +31,20 @@ std::vector<bool> mayBeBase(std::size_t bodies, const Joints& joints) {
 }  // namespace
 
 std::size_t baseOf(const AssembledProduct& product, const BodySet& among, const LiaisonGraph& graph,
-                   const Joints& joints, const Vector3& gravity) {
+                   const Joints& joints, const std::vector<FastenerKind>& fasteners, const Vector3& gravity) {
   const bool hasGround = gravity.norm() > 0.0;
   const Vector3 up = hasGround ? Vector3(-gravity.normalized()) : Vector3(Vector3::UnitZ());
   const Box3 whole = boxOf(product, among);
   const double height = up.cwiseAbs().dot(whole.sizes());
   const double ground = up.dot(whole.center()) - 0.5 * height;
-  const std::vector<bool> may = mayBeBase(product.bodies.size(), joints);
+  const std::vector<bool> may = mayBeBase(product.bodies.size(), joints, fasteners);
   // Ordered by: no fastener; worth; size, for bodies that touch nothing.
   const auto rank = [&](std::size_t body) {
     const auto& all = graph.neighboursOf(body);
     const auto touching = std::count_if(all.begin(), all.end(), [&](std::size_t other) { return among[other]; });
     const bool stands = hasGround && lowestOf(product.bodies[body], up) - ground <= kGround * height;
     const double size = boxVolume(product.bodies[body]);
-    const double worth = static_cast<double>(touching) * std::cbrt(size) * (stands ? kStands : 1.0);
+    const double worth = std::sqrt(static_cast<double>(touching)) * std::cbrt(size) * (stands ? kStands : 1.0);
     return std::tuple(may[body], worth, size);
   };
   const BodyGroup bodies = bodiesIn(among);

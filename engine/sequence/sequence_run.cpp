@@ -69,12 +69,12 @@ Result<Joints> jointsOf(const ProductShapes& shapes, const SequenceRequest& requ
 
 /// The bodies that a person fixes as base; else one that suits.
 BodySet fixedBodies(const AssembledProduct& product, const ProductFits& fits, const SequenceRequest& request,
-                    const Joints& joints) {
+                    const JointRules& joints, const std::vector<FastenerKind>& fasteners) {
   BodySet fixed = request.staying;
   if (std::find(fixed.begin(), fixed.end(), true) != fixed.end()) return fixed;
-  const LiaisonGraph graph(product.bodies.size(), fits.contacts(), joints);
+  const LiaisonGraph graph(product.bodies.size(), fits.contacts(), joints.joints());
   const BodySet all(product.bodies.size(), true);
-  fixed[baseOf(product, all, graph, joints, request.demands.gravity)] = true;
+  fixed[baseOf(product, all, graph, joints.joints(), fasteners, request.demands.gravity)] = true;
   return fixed;
 }
 
@@ -120,7 +120,7 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
   auto found = jointsOf(shapes, request, threads, host.stopToken());
   if (!found) return found.error();
   const JointRules joints(std::move(*found), product, fasteners);
-  const BodySet staying = withJoined(fixedBodies(product, fits, request, joints.joints()), joints.bonded());
+  const BodySet staying = withJoined(fixedBodies(product, fits, request, joints, fasteners), joints.bonded());
   joinUnits(joints.bonded(), product, *rules);
   const Outcome places = checkPlaces(product, *rules, staying);
   if (!places) return places.error();

@@ -49,7 +49,8 @@ BodyGroup unitIn(std::size_t body, const JointRules* joints) {
 std::size_t baseIn(const BodySet& there, const SequenceQuestion& question) {
   const std::vector<Contact> contacts = question.fits == nullptr ? std::vector<Contact>() : question.fits->contacts();
   const Joints joints = question.joints == nullptr ? Joints() : question.joints->joints();
-  return baseOf(question.product, there, LiaisonGraph(there.size(), contacts, joints), joints, Vector3::Zero());
+  return baseOf(question.product, there, LiaisonGraph(there.size(), contacts, joints), joints, question.fasteners,
+                Vector3::Zero());
 }
 
 /// Demands on places and on groups that leave together concern the whole product, and do not hold in a line.

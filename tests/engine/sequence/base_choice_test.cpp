@@ -32,14 +32,17 @@ TEST(BaseChoice, APlateThatMuchIsFixedToIsTheBaseAndNotALongRodOrALargeCover) {
   const AssembledProduct product = plateWithPosts();
   const LiaisonGraph graph(6, contactsOf(1, {0, 3, 4, 5}), {});
   const Vector3 down = -Vector3::UnitZ();
-  EXPECT_EQ(baseOf(product, BodySet(6, true), graph, {}, down), 1U);
-  EXPECT_EQ(baseOf(product, {true, false, true, true, false, false}, graph, {}, down), 2U)
+  EXPECT_EQ(baseOf(product, BodySet(6, true), graph, {}, {}, down), 1U);
+  EXPECT_EQ(baseOf(product, {true, false, true, true, false, false}, graph, {}, {}, down), 2U)
       << "where nothing touches, the largest one";
   Joint insert;
   insert.kind = JointKind::Insert;
   insert.body = 1;
   insert.others = {2};
-  EXPECT_NE(baseOf(product, BodySet(6, true), graph, {insert}, down), 1U) << "a guest is no base";
+  EXPECT_NE(baseOf(product, BodySet(6, true), graph, {insert}, {}, down), 1U) << "a guest is no base";
+  std::vector<FastenerKind> kinds(6, FastenerKind::None);
+  kinds[1] = FastenerKind::Washer;
+  EXPECT_NE(baseOf(product, BodySet(6, true), graph, {}, kinds, down), 1U) << "nor is a fastener";
 }
 
 TEST(BaseChoice, OfTwoAlikeTheOneThatStandsOnTheGroundIsTheBase) {
@@ -48,9 +51,9 @@ TEST(BaseChoice, OfTwoAlikeTheOneThatStandsOnTheGroundIsTheBase) {
                                                     boxBody("post", {0.1, 0.1, 0.3}, Pose::translation({0, 0, 0.2}))});
   std::vector<Contact> contacts = contactsOf(2, {0, 1});
   const LiaisonGraph graph(3, contacts, {});
-  EXPECT_EQ(baseOf(product, BodySet(3, true), graph, {}, -Vector3::UnitZ()), 1U);
-  EXPECT_EQ(baseOf(product, BodySet(3, true), graph, {}, Vector3::UnitZ()), 0U);
-  EXPECT_EQ(baseOf(product, BodySet(3, true), graph, {}, Vector3::Zero()), 0U) << "the first one without a ground";
+  EXPECT_EQ(baseOf(product, BodySet(3, true), graph, {}, {}, -Vector3::UnitZ()), 1U);
+  EXPECT_EQ(baseOf(product, BodySet(3, true), graph, {}, {}, Vector3::UnitZ()), 0U);
+  EXPECT_EQ(baseOf(product, BodySet(3, true), graph, {}, {}, Vector3::Zero()), 0U) << "the first one without a ground";
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QLocale>
 #include <QMouseEvent>
 #include <QSignalSpy>
 
