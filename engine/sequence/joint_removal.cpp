@@ -133,21 +133,13 @@ RemovalAnswer JointRemoval::tryTurn(const BodyGroup& group, const BodySet& prese
   return Refused{blockersOf(group, present, turn, {turned.back(), end}, stop), stop.stopRequested()};
 }
 
-/// The motion from the end of a turn: straight on, along another line, or along two lines. The refusal names no body.
+/// The motion from the end of a turn: straight on, or along another line. The refusal names no body.
 RemovalAnswer JointRemoval::leaveAfter(const std::vector<Pose>& turned, const Vector3& axis, const BodyGroup& group,
                                        const BodySet& present, const StopToken& stop) {
   const MovingObject& object = worlds_.object(group);
   const MotionWorld motion = worlds_.world(group, present);
   const auto query = motion.world->makeQuery();
   const Box3 others = othersBox(group);
-  const auto certified = [&](const std::vector<Pose>& on) {
-    std::vector<Pose> all = turned;
-    all.insert(all.end(), on.begin() + 1, on.end());
-    Path path{computedPoints(all), {}};
-    path.certificate = certifyPath(*query, path.points, worlds_.parameters(group), stop);
-    nameByProduct(path.certificate, motion.bodies);
-    return path;
-  };
   std::vector<Vector3> directions{axis};
   for (const Vector3& direction : removalDirections(product_, fits_, group.front())) directions.push_back(direction);
   for (const Vector3& direction : directions) {
@@ -155,15 +147,15 @@ RemovalAnswer JointRemoval::leaveAfter(const std::vector<Pose>& turned, const Ve
     const auto free = query->checkMotion(turned.back(), end, object.required, SeekViolation::Any, stop);
     if (stop.stopRequested()) return Refused{{}, true};
     if (free.status != CertificateStatus::Certified) continue;
-    Path path = certified({turned.back(), end});
+    std::vector<Pose> all = turned;
+    all.push_back(end);
+    Path path{computedPoints(all), {}};
+    path.certificate = certifyPath(*query, path.points, worlds_.parameters(group), stop);
     if (path.certificate.status != CertificateStatus::Certified) continue;
+    nameByProduct(path.certificate, motion.bodies);
     return Removed{std::move(path), kTurned, fits_.fitsOf(group, present)};
   }
-  const std::vector<Pose> lines = lines_.linesFrom(turned.back(), group, motion, others, stop);
-  if (lines.empty()) return Refused{{}, stop.stopRequested()};
-  Path path = certified(lines);
-  if (path.certificate.status != CertificateStatus::Certified) return Refused{{}, stop.stopRequested()};
-  return Removed{std::move(path), kTurned, fits_.fitsOf(group, present)};
+  return Refused{{}, stop.stopRequested()};
 }
 
 std::vector<Pose> JointRemoval::turnOut(const BodyGroup& group, const BodySet& present,

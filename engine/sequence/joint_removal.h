@@ -8,7 +8,6 @@
 #include "engine/sequence/joint_rules.h"
 #include "engine/sequence/motion_world.h"
 #include "engine/sequence/removal_trial.h"
-#include "engine/sequence/two_line_removal.h"
 
 namespace glissade {
 
@@ -16,17 +15,15 @@ namespace glissade {
 inline constexpr const char* kTurned = "turned";
 
 /// Removal of a group that closed joints hold by their threads: it turns about the axis by the joint's pitch until the
-/// threads are free, then moves straight on, or along two lines; where that is not free, by the other end of a rod
-/// without a head. The
+/// threads are free, then moves straight on; where that is not free, by the other end of a rod without a head. The
 /// turns are proved for all angles at once (see certifyPath), because a turning body stays in its solid of revolution.
 /// A thread is not pulled, so no other motion is tried. A refusal holds while the bodies that it names are there, and
 /// is stored. Thread-safe.
 class JointRemoval {
  public:
   /// Refers to all arguments.
-  JointRemoval(const AssembledProduct& product, const ProductFits& fits, MotionWorlds& worlds, const JointRules& rules,
-               const TwoLineRemoval& lines)
-      : product_(product), fits_(fits), worlds_(worlds), rules_(rules), lines_(lines) {}
+  JointRemoval(const AssembledProduct& product, const ProductFits& fits, MotionWorlds& worlds, const JointRules& rules)
+      : product_(product), fits_(fits), worlds_(worlds), rules_(rules) {}
 
   /// `opened`: the result of JointRules::opened(), not empty.
   RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, const std::vector<std::size_t>& opened,
@@ -57,7 +54,6 @@ class JointRemoval {
   const ProductFits& fits_;
   MotionWorlds& worlds_;
   const JointRules& rules_;
-  const TwoLineRemoval& lines_;
   mutable std::mutex mutex_;              ///< protects the members below
   std::map<BodyGroup, Refused> refused_;  ///< the last refusal
 };

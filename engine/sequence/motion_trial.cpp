@@ -35,7 +35,7 @@ MotionTrial::MotionTrial(const AssembledProduct& product, const ProductFits& fit
       threads_(threads),
       twoLines_(product, fits, worlds_),
       searched_(product, fits, worlds_, seed) {
-  if (joints != nullptr) jointed_.emplace(product, fits, worlds_, *joints, twoLines_);
+  if (joints != nullptr) jointed_.emplace(product, fits, worlds_, *joints);
 }
 
 /// Refuses motions that the judge would refuse because they pull a thread, whatever has found them.
@@ -100,19 +100,27 @@ RemovalAnswer MotionTrial::tryTurning(const BodyGroup& group, const BodySet& pre
   return std::holds_alternative<Removed>(searched) ? searched : answer;
 }
 
-/// The turn out of the threads, then a search.
+/// The turn out of the threads, then two lines before the first search.
 RemovalAnswer MotionTrial::searchAfterTurn(const BodyGroup& group, const BodySet& present, int effort,
                                            const std::vector<std::size_t>& opened, const StopToken& stop) {
   const std::vector<Pose> turned = jointed_->turnOut(group, present, opened);
   if (turned.empty()) return Refused{{}, stop.stopRequested()};
+  const auto leavingBy = [&](const std::vector<PathPoint>& rest) {
+    std::vector<PathPoint> points = computedPoints(turned);
+    points.insert(points.end(), rest.begin() + 1, rest.end());
+    return certified(group, points, kTurned, present, stop);
+  };
+  if (effort == 1) {
+    const std::vector<Pose> lines = twoLines_.linesFrom(turned.back(), group, present, stop);
+    auto removed = lines.empty() ? std::nullopt : leavingBy(computedPoints(lines));
+    if (removed) return std::move(*removed);
+  }
   RemovalAnswer answer = searched_.tryRemoval(group, present, turned.back(), searchWork(effort), stop);
-  auto* rest = std::get_if<Removed>(&answer);
-  if (rest == nullptr) return answer;
-  std::vector<PathPoint> points = computedPoints(turned);
-  points.insert(points.end(), rest->path.points.begin() + 1, rest->path.points.end());
-  auto whole = certified(group, points, kTurned, present, stop);
-  if (!whole) return Refused{{}, stop.stopRequested()};
-  return std::move(*whole);
+  const auto* found = std::get_if<Removed>(&answer);
+  if (found == nullptr) return answer;
+  auto removed = leavingBy(found->path.points);
+  if (!removed) return Refused{{}, stop.stopRequested()};
+  return std::move(*removed);
 }
 
 /// True if a body that turns in these joints, or a body that it turns in, has no stated faces.

@@ -9,8 +9,8 @@
 
 namespace glissade {
 
-/// Tries removals with the collision kernel and the planners. Effort 0 is straight lines and turns out of threads, with
-/// up to two lines after the turn; higher efforts are searches, of a turned body after the turn, each with four times
+/// Tries removals with the collision kernel and the planners. Effort 0 is straight lines and turns out of threads;
+/// higher efforts are searches, after the turn where there is one, each with four times
 /// the budget of the one below.
 class MotionTrial final : public RemovalTrial {
  public:

@@ -22,13 +22,12 @@ Box3 moved(const Box3& box, const Vector3& way) { return {box.min() + way, box.m
 /// The search for one group among others, from a configuration of the group.
 class TwoLines {
  public:
-  TwoLines(const Pose& start, const MovingObject& object, const MotionWorld& motion, const Box3& others,
-           const StopToken& stop)
+  TwoLines(const Pose& start, const MovingObject& object, const MotionWorld& motion, const StopToken& stop)
       : start_(start),
         object_(object),
         query_(motion.world->makeQuery()),
         box_(boundingBox(*object.mesh, start)),
-        others_(others),
+        others_(motion.world->obstaclesBox()),
         stop_(stop) {}
 
   /// The configurations of a free motion; empty if there is none.
@@ -85,10 +84,9 @@ class TwoLines {
 }  // namespace
 
 RemovalAnswer TwoLineRemoval::tryRemoval(const BodyGroup& group, const BodySet& present, const StopToken& stop) const {
-  const MotionWorld motion = worlds_.world(group, present);
-  const std::vector<Pose> lines =
-      linesFrom(worlds_.object(group).X_WB, group, motion, motion.world->obstaclesBox(), stop);
+  const std::vector<Pose> lines = linesFrom(worlds_.object(group).X_WB, group, present, stop);
   if (lines.empty()) return Refused{{}, stop.stopRequested()};
+  const MotionWorld motion = worlds_.world(group, present);
   Path path{computedPoints(lines), {}};
   path.certificate = certifyPath(*motion.world->makeQuery(), path.points, worlds_.parameters(group), stop);
   if (path.certificate.status != CertificateStatus::Certified) return Refused{{}, stop.stopRequested()};
@@ -96,9 +94,9 @@ RemovalAnswer TwoLineRemoval::tryRemoval(const BodyGroup& group, const BodySet& 
   return Removed{std::move(path), kTwoLines, fits_.fitsOf(group, present)};
 }
 
-std::vector<Pose> TwoLineRemoval::linesFrom(const Pose& start, const BodyGroup& group, const MotionWorld& motion,
-                                            const Box3& others, const StopToken& stop) const {
-  return TwoLines(start, worlds_.object(group), motion, others, stop).find(directionsOf(group));
+std::vector<Pose> TwoLineRemoval::linesFrom(const Pose& start, const BodyGroup& group, const BodySet& present,
+                                            const StopToken& stop) const {
+  return TwoLines(start, worlds_.object(group), worlds_.world(group, present), stop).find(directionsOf(group));
 }
 
 /// The directions of the group's bodies, without duplicates.

@@ -18,9 +18,8 @@ class TwoLineRemoval {
 
   /// See RemovalTrial::tryRemoval(). The refusal names no body.
   RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, const StopToken& stop) const;
-  /// The configurations of a free motion along two lines from `start` out of the box `others`, with `start`; empty if
-  /// none is free.
-  std::vector<Pose> linesFrom(const Pose& start, const BodyGroup& group, const MotionWorld& motion, const Box3& others,
+  /// The configurations of a free motion along two lines from `start`, with `start`; empty if none is free.
+  std::vector<Pose> linesFrom(const Pose& start, const BodyGroup& group, const BodySet& present,
                               const StopToken& stop) const;
 
  private:
