@@ -7,7 +7,7 @@
 
 namespace glissade {
 
-/// What holds two bodies of a product to each other where it is assembled.
+/// An edge of the liaison graph: the contact and the joints that hold two bodies of an assembled product to each other.
 struct Liaison {
   std::size_t a = 0;  ///< index of the body, below `b`
   std::size_t b = 0;

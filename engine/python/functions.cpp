@@ -50,7 +50,7 @@ void addLoad(py::module_& module, const char* name, const char* text) {
       py::arg("without") = std::vector<std::string>(), text);
 }
 
-/// What a planner in Python gets. A planner may keep it, but it works during one call only.
+/// The argument of a planner in Python. A planner may keep it, but it works during one call only.
 struct Context {
   std::weak_ptr<PlannerContext> inside;
 };

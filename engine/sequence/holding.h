@@ -7,7 +7,7 @@
 
 namespace glissade {
 
-/// What holds the bodies of a product while steps of a plan have been carried out: contacts, fits and joints.
+/// Contacts, fits and joints that hold the bodies of a product after some steps of a plan have been carried out.
 /// Immutable.
 class Holding {
  public:

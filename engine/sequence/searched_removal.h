@@ -18,7 +18,7 @@ class SearchedRemoval {
   /// refusal names no bodies, because a search does not know what blocked it.
   RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, const Pose& start, std::uint64_t work,
                            const StopToken& stop) const;
-  /// The same from the pose where the product is assembled.
+  /// Calls the function above with the pose where the product is assembled.
   RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, std::uint64_t work,
                            const StopToken& stop) const;
 

@@ -20,7 +20,7 @@ class GLISSADE_EXPORT Path {
 
   /// The configurations X_WB of the object, at least one.
   const std::vector<Pose>& configurations() const;
-  /// What the planner has proved. Undecided for a path of a file and for one of Path::make().
+  /// The certificate of the planner. It is undecided for a path of a file and for one of Path::make().
   const Certificate& certificate() const;
   /// Sum of the translations, metres.
   double length() const;

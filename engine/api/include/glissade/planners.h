@@ -11,7 +11,7 @@
 
 namespace glissade::api {
 
-/// What a planner from outside works with. It exists during one call, on the planner's thread.
+/// The problem and the run for a planner from outside. It exists during one call, on the planner's thread.
 class GLISSADE_EXPORT PlannerContext {
  public:
   virtual ~PlannerContext();

@@ -26,7 +26,7 @@ struct Nearest {
   Vector3 p_WN = Vector3::Zero();  ///< point of the object, world frame; undefined for a distance of 0
 };
 
-/// What a proof says about a motion.
+/// The result of the proof of a motion.
 enum class ProofStatus {
   Certified,  ///< the clearance is proved on the whole motion
   Violated,   ///< a configuration with less clearance was found
