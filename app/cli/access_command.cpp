@@ -162,9 +162,7 @@ int accessOfPlan(const AccessOptions& options, const StopToken& stop) {
   if (!loaded) return reportError(loaded.error(), options.console);
   reportWarnings(loaded->warnings, options.console);
   const AssembledProduct& product = loaded->product;
-  std::vector<std::string> ids;
-  for (const RigidBody& body : product.bodies) ids.push_back(body.id);
-  if (const Outcome same = checkSameBodies(*plan, ids, options.plan); !same) {
+  if (const Outcome same = checkSameBodies(*plan, product, options.plan); !same) {
     return reportError(same.error(), options.console);
   }
   const auto access = planAccess(product, *plan, personOf(options), stop);

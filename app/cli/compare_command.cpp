@@ -59,15 +59,13 @@ int runCompare(const CompareOptions& options) {
     plan = std::move(*read);
   }
   const double deflection = plan ? plan->deflection : 0.0;
-  const PartChoice choice{{}, plan ? plan->bodies : std::vector<std::string>()};
+  const PartChoice choice{{}, plan ? plan->bodies : std::vector<BodyId>()};
   const auto before = loadProduct(options.before, stop, deflection, choice);
   if (!before) return reportError(before.error(), options.console);
   auto now = loadProduct(options.now, stop, deflection, choice);
   if (!now) return reportError(now.error(), options.console);
   if (plan) {
-    std::vector<std::string> ids;
-    for (const RigidBody& body : before->product.bodies) ids.push_back(body.id);
-    if (const Outcome same = checkSameBodies(*plan, ids, options.plan); !same)
+    if (const Outcome same = checkSameBodies(*plan, before->product, options.plan); !same)
       return reportError(same.error(), options.console);
   }
   reportWarnings(now->warnings, options.console);

@@ -28,7 +28,7 @@ constexpr CatalogueText kBothThinner = GLISSADE_TEXT("both by %1");
 Json coordinates(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
 /// The allowances with which one body of the pair moves past the other.
-Json toJson(const PairWay& way, const std::string& moving, const std::string& other) {
+Json toJson(const PairWay& way, const BodyId& moving, const BodyId& other) {
   Json json{{"moving", moving}, {"thinner", Json::array()}};
   for (const Fit& fit : way.taken) {
     if (!fit.thinned) continue;
@@ -80,7 +80,7 @@ Volumes commonVolumesOf(const std::vector<PairFit>& rows, const FitsOptions& opt
   if (!isCadFile(path)) return volumes;
   std::vector<std::pair<std::string, std::string>> pairs;
   for (const PairFit& row : rows) {
-    if (isOverlap(row)) pairs.emplace_back(row.a, row.b);
+    if (isOverlap(row)) pairs.emplace_back(row.a.text(), row.b.text());
   }
   const auto found = commonVolumes(path, pairs, stop);
   if (!found) {
@@ -123,15 +123,15 @@ std::string joined(const std::vector<std::string>& names) {
 /// Prints bodies by their names in the file, and the names of the assemblies that hold them.
 void printCsv(const std::vector<PairFit>& rows, const Product& tree) {
   const std::vector<std::string> paths = tree.shownPaths();
-  const auto nameOf = [&](const std::string& id) {
-    const auto node = tree.find(id);
-    return node ? paths[*node] : id;
+  const auto nameOf = [&](const BodyId& id) {
+    const auto node = tree.find(id.text());
+    return node ? paths[*node] : id.text();
   };
   std::cout << "a,b,kind,gap_m,overlap_m,uncertainty_m,allowance_m,status,thinner,refused\n";
   for (const PairFit& row : rows) {
     const Contact& contact = row.contact;
     std::vector<std::string> thinner;
-    for (const std::string& id : row.thinner()) thinner.push_back(nameOf(id));
+    for (const BodyId& id : row.thinner()) thinner.push_back(nameOf(id));
     std::cout << quoted(nameOf(row.a)) << "," << quoted(nameOf(row.b)) << "," << kContactKindNames.of(contact.kind)
               << "," << toText(contact.gap) << "," << toText(contact.overlap) << "," << toText(contact.uncertainty)
               << "," << toText(row.way().allowance()) << "," << kFitStatusNames.of(row.status()) << ","
@@ -142,7 +142,7 @@ void printCsv(const std::vector<PairFit>& rows, const Product& tree) {
 /// "a by 0.0130 mm", "both by ...", "clash" or nothing.
 Message thinnerInWords(const PairFit& row) {
   if (row.status() == FitStatus::Clash) return GLISSADE_TEXT("clash");
-  const std::vector<std::string> thinner = row.thinner();
+  const std::vector<BodyId> thinner = row.thinner();
   if (thinner.empty()) return {};
   const auto& taken = row.way().taken;
   if (std::any_of(taken.begin(), taken.end(), [](const Fit& fit) { return fit.hollow; })) {

@@ -36,11 +36,7 @@ struct Uncertainty {
 };
 
 Uncertainty uncertaintyOf(const RigidBody& body, const LoadedScenario& loaded) {
-  const auto valueOf = [&](const std::map<std::string, double>& values) {
-    const auto known = values.find(body.id);
-    return known == values.end() ? 0.0 : known->second;
-  };
-  return {valueOf(loaded.deflections), valueOf(loaded.coordinateSpacings)};
+  return {valueOf(loaded.deflections, body.id), valueOf(loaded.coordinateSpacings, body.id)};
 }
 
 /// Audits each mesh of a scenario once.
@@ -122,7 +118,7 @@ void printBody(const RigidBody& body, const Uncertainty& uncertainty, const std:
 std::vector<std::size_t> bodyCounts(const Product& tree, const std::vector<RigidBody>& bodies) {
   std::vector<std::size_t> counts(tree.nodes().size(), 0);
   for (const RigidBody& body : bodies) {
-    for (auto node = tree.find(body.id); node; node = tree.nodes()[*node].parent) ++counts[*node];
+    for (auto node = tree.find(body.id.text()); node; node = tree.nodes()[*node].parent) ++counts[*node];
   }
   return counts;
 }

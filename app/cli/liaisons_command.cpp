@@ -30,8 +30,8 @@ std::string csvOf(const LiaisonGraph& graph, const AssembledProduct& product) {
     const std::size_t rows = std::max<std::size_t>(1, liaison.lettingGo.size());
     for (std::size_t i = 0; i < rows; ++i) {
       table.row();
-      table.text(product.bodies[liaison.a].id);
-      table.text(product.bodies[liaison.b].id);
+      table.text(product.bodies[liaison.a].id.text());
+      table.text(product.bodies[liaison.b].id.text());
       table.text(liaison.contact ? kContactKindNames.of(*liaison.contact) : "");
       table.text(jointNames(liaison));
       for (Eigen::Index axis = 0; axis < 3; ++axis) {

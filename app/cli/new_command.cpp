@@ -50,7 +50,7 @@ Result<double> clearStart(const LoadedScenario& loaded, Scenario& scenario) {
 /// left out.
 Outcome leaveOut(const NewOptions& options, Scenario& scenario) {
   if (options.without.empty()) return Done{};
-  std::vector<std::string> ids;
+  std::vector<BodyId> ids;
   for (const BodyDescription* body : presentBodiesOf(scenario)) ids.push_back(body->id);
   const auto meant = bodiesMeant(ids, options.without, "--without", treeOf(scenario));
   if (!meant) return meant.error();

@@ -13,14 +13,14 @@ namespace {
 /// Adds the unusual pitches of the threads in which the steps turn.
 void addPitches(const std::vector<AssemblyStep>& steps, const std::vector<SubassemblyLine>& lines,
                 const AssembledProduct& product, std::vector<Message>& conditions) {
-  const auto nameOf = [&](const std::string& id) { return product.bodies[*product.indexOf(id)].shown(); };
+  const auto nameOf = [&](const BodyId& id) { return product.body(id).shown(); };
   for (const AssemblyStep& step : steps) {
-    const std::vector<std::string> moving = step.bodies();
+    const std::vector<BodyId> moving = step.bodies();
     for (const StepJoint& joint : step.joints) {
       const double pitch = std::abs(joint.pitch);
       if (joint.turns == 0.0 || joint.isPitchStated || check::isStandardPitch(joint.diameter, pitch)) continue;
       const bool turns = std::find(moving.begin(), moving.end(), joint.body) != moving.end();
-      for (const std::string& other : joint.others) {
+      for (const BodyId& other : joint.others) {
         const auto& [mover, fixed] = turns ? std::tie(joint.body, other) : std::tie(other, joint.body);
         conditions.push_back(check::hasPitch(nameOf(mover), nameOf(fixed), pitch, joint.diameter).text);
       }

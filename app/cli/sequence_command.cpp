@@ -106,10 +106,10 @@ class ProgressHost final : public SequenceHost {
     keep();
   }
 
-  const std::string& nameOf(const std::string& id) const { return product_.bodies[*product_.indexOf(id)].shown(); }
+  const std::string& nameOf(const BodyId& id) const { return product_.body(id).shown(); }
   std::string namesOf(const AssemblyStep& step) const {
     std::string names = nameOf(step.body);
-    for (const std::string& id : step.with) names += " + " + nameOf(id);
+    for (const BodyId& id : step.with) names += " + " + nameOf(id);
     return names;
   }
   void skip(std::size_t steps) { reported_ = steps; }
@@ -289,7 +289,7 @@ class PlanPrinter {
   void printLines(const std::vector<SubassemblyLine>& lines, std::size_t steps, const std::string& group,
                   const std::string& before) const;
   Message motionOf(const AssemblyStep& step) const;
-  std::string namesOf(const std::vector<std::string>& ids, const char* separator) const;
+  std::string namesOf(const std::vector<BodyId>& ids, const char* separator) const;
   void printIndented(const std::string& before, const Message& line) const;
 
   const ProgressHost& host_;
@@ -302,9 +302,9 @@ void PlanPrinter::printIndented(const std::string& before, const Message& line) 
   console_.print(line);
 }
 
-std::string PlanPrinter::namesOf(const std::vector<std::string>& ids, const char* separator) const {
+std::string PlanPrinter::namesOf(const std::vector<BodyId>& ids, const char* separator) const {
   std::string names;
-  for (const std::string& id : ids) names += (names.empty() ? "" : separator) + host_.nameOf(id);
+  for (const BodyId& id : ids) names += (names.empty() ? "" : separator) + host_.nameOf(id);
   return names;
 }
 
@@ -343,7 +343,7 @@ void PlanPrinter::printNotes(const std::vector<AssemblyStep>& steps, std::size_t
   for (const std::string& text : words_.violations(step, product)) {
     printIndented(before, {GLISSADE_TEXT("forced, although: %1"), {text}});
   }
-  for (const std::string& id : step.falling) {
+  for (const BodyId& id : step.falling) {
     printIndented(before, {GLISSADE_TEXT("support: %1"), {host_.nameOf(id)}});
   }
   for (const Allowance& allowance : allowancesInOrder(steps, at)) {
@@ -509,16 +509,14 @@ int runSequence(const SequenceOptions& options) {
     earlier = std::move(*read);
   }
   const double deflection = earlier ? earlier->deflection : options.deflection;
-  const PartChoice choice{options.open, earlier ? earlier->bodies : std::vector<std::string>()};
+  const PartChoice choice{options.open, earlier ? earlier->bodies : std::vector<BodyId>()};
   auto loaded = loadProduct(options.file, interrupt.token(), deflection, choice);
   if (!loaded) return reportError(loaded.error(), options.console);
   if (const Outcome left = leaveOut(options.without, *loaded); !left) return reportError(left.error(), options.console);
   AssembledProduct& product = loaded->product;
   options.fits.applyTo(product.fits);
   if (earlier) {
-    std::vector<std::string> ids;
-    for (const RigidBody& body : product.bodies) ids.push_back(body.id);
-    if (const Outcome same = checkSameBodies(*earlier, ids, options.resume); !same) {
+    if (const Outcome same = checkSameBodies(*earlier, product, options.resume); !same) {
       return reportError(same.error(), options.console);
     }
   }
@@ -526,7 +524,7 @@ int runSequence(const SequenceOptions& options) {
   if (!hasDemands) loaded->demands.joints = loaded->joints;
   const auto demands = demandsOf(options, hasDemands ? earlier->demands : loaded->demands);
   if (!demands) return reportError(demands.error(), options.console);
-  const auto staying = stayingBodies(product, earlier ? earlier->staying : stayingNames(options, *demands));
+  const auto staying = stayingBodies(product, earlier ? textsOf(earlier->staying) : stayingNames(options, *demands));
   if (!staying) {
     Diagnostic why = staying.error();
     why.location = "--stay";

@@ -99,9 +99,7 @@ int runTimes(const TimesOptions& options) {
   const auto loaded = loadProduct(options.product, {}, plan->deflection, {{}, plan->bodies});
   if (!loaded) return reportError(loaded.error(), options.console);
   reportWarnings(loaded->warnings, options.console);
-  std::vector<std::string> ids;
-  for (const RigidBody& body : loaded->product.bodies) ids.push_back(body.id);
-  if (const Outcome same = checkSameBodies(*plan, ids, options.plan); !same) {
+  if (const Outcome same = checkSameBodies(*plan, loaded->product, options.plan); !same) {
     return reportError(same.error(), options.console);
   }
   const Result<WorkTimes> table = options.table.empty() ? WorkTimes() : readWorkTimes(options.table);

@@ -68,7 +68,7 @@ class PlanAsker {
  private:
   BodySet groupOf(const SubassemblyLine& line) const {
     BodySet there(product_.bodies.size(), false);
-    for (const std::string& id : line.bodies) there[*product_.indexOf(id)] = true;
+    for (const std::size_t body : product_.indicesOf(line.bodies)) there[body] = true;
     return there;
   }
 

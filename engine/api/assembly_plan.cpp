@@ -11,8 +11,8 @@ namespace {
 Step publicStep(const AssemblyStep& step) {
   std::vector<Pose> path;
   for (const PathPoint& point : step.path) path.push_back(publicPose(point.q));
-  return {step.bodies(),           step.method,        std::move(path), step.certified,
-          step.proof.minClearance, step.proof.nearest, step.after};
+  return {textsOf(step.bodies()),    step.method, std::move(path), step.certified, step.proof.minClearance,
+          step.proof.nearest.text(), step.after};
 }
 
 PlanEnd publicEnd(glissade::PlanEnd end) {
@@ -36,12 +36,12 @@ std::vector<Step> AssemblyPlan::steps() const {
 PlanEnd AssemblyPlan::end() const { return publicEnd(impl().plan.end); }
 std::size_t AssemblyPlan::parts() const { return impl().plan.parts(); }
 std::size_t AssemblyPlan::removed() const { return impl().plan.removed(); }
-std::vector<std::string> AssemblyPlan::staying() const { return impl().plan.staying; }
+std::vector<std::string> AssemblyPlan::staying() const { return textsOf(impl().plan.staying); }
 
 std::vector<StuckBody> AssemblyPlan::stuck() const {
   std::vector<StuckBody> all;
   for (const glissade::StuckBody& body : impl().plan.stuck) {
-    all.push_back({body.body, body.blockedBy, toString(body.reason)});
+    all.push_back({body.body.text(), textsOf(body.blockedBy), toString(body.reason)});
   }
   return all;
 }

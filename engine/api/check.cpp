@@ -132,10 +132,8 @@ Result<Verdict> check(const Product& product, const AssemblyPlan& plan, const Ch
   if (const auto fault = faultOf(options)) return *fault;
   return attempt<Verdict>(kJudging, [&]() -> Result<Verdict> {
     const ProductFile& loaded = product.impl().loaded;
-    std::vector<std::string> ids;
-    for (const RigidBody& body : loaded.product.bodies) ids.push_back(body.id);
     const glissade::AssemblyPlan& given = plan.impl().plan;
-    if (const auto same = checkSameBodies(given, ids, ""); !same) return publicDiagnostic(same.error());
+    if (const auto same = checkSameBodies(given, loaded.product, ""); !same) return publicDiagnostic(same.error());
     auto verdict = judgePlan(given, loaded.product, options.requiredClearance, watchOf(options), &loaded.demands);
     verdict.planIsTrusted = options.trustPlan;
     return verdictOn(verdict, judgedProduct(loaded.product));

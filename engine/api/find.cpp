@@ -13,19 +13,13 @@ Diagnostic interrupted() { return {ErrorKind::Interrupted, "", "", "the search w
 
 Fit publicFit(const PairFit& pair) {
   const Contact& contact = pair.contact;
-  return {pair.a,
-          pair.b,
-          kContactKindNames.of(contact.kind),
-          contact.gap,
-          contact.overlap,
-          contact.uncertainty,
-          pair.way().allowance(),
-          kFitStatusNames.of(pair.status())};
+  return {pair.a.text(),       pair.b.text(),          kContactKindNames.of(contact.kind), contact.gap, contact.overlap,
+          contact.uncertainty, pair.way().allowance(), kFitStatusNames.of(pair.status())};
 }
 
 std::vector<std::string> idsOf(const std::vector<std::size_t>& bodies, const AssembledProduct& product) {
   std::vector<std::string> ids;
-  for (const std::size_t body : bodies) ids.push_back(product.bodies[body].id);
+  for (const std::size_t body : bodies) ids.push_back(product.bodies[body].id.text());
   return ids;
 }
 
@@ -33,7 +27,7 @@ Joint publicJoint(const glissade::Joint& joint, const AssembledProduct& product)
   Joint made;
   made.kind = kJointKindNames.of(joint.kind);
   made.state = kJointStateNames.of(joint.state);
-  made.body = product.bodies[joint.body].id;
+  made.body = product.bodies[joint.body].id.text();
   made.others = idsOf(joint.others, product);
   made.clamped = idsOf(joint.clamped, product);
   made.point = joint.point;

@@ -52,8 +52,9 @@ Warnings publicWarnings(const glissade::Warnings& warnings) {
 
 Nearest publicNearest(const NearestObstacle& nearest, const CollisionWorld& world) {
   const bool isBody = nearest.body >= 0;
-  return {nearest.distance, isBody ? world.obstacles()[static_cast<std::size_t>(nearest.body)].id : std::string(),
-          nearest.p_WPo, nearest.p_WPn};
+  return {nearest.distance,
+          isBody ? world.obstacles()[static_cast<std::size_t>(nearest.body)].id.text() : std::string(), nearest.p_WPo,
+          nearest.p_WPn};
 }
 
 Certificate publicCertificate(const MotionCertificate& certificate, const CollisionWorld& world) {
@@ -70,7 +71,7 @@ std::vector<Body> publicBodies(const std::vector<RigidBody>& bodies) {
   std::vector<Body> all;
   all.reserve(bodies.size());
   for (const RigidBody& body : bodies) {
-    all.push_back({body.id, body.shown(), valueOf<Mesh>({body.mesh}), publicPose(body.X_WB)});
+    all.push_back({body.id.text(), body.shown(), valueOf<Mesh>({body.mesh}), publicPose(body.X_WB)});
   }
   return all;
 }
@@ -107,7 +108,7 @@ Result<std::vector<RigidBody>> engineBodies(const std::vector<Body>& bodies, con
     if (!ids.insert(body.id).second) return wrongArgument(here + ".id", "is the id of another body: " + body.id);
     if (const auto fault = faultOfPose(body.X_WB, here + ".X_WB")) return *fault;
     const std::string& name = body.name.empty() ? body.id : body.name;
-    all.push_back({body.id, name, Mobility::Mobile, body.mesh.impl().mesh, enginePose(body.X_WB)});
+    all.push_back({BodyId(body.id), name, Mobility::Mobile, body.mesh.impl().mesh, enginePose(body.X_WB)});
   }
   return all;
 }

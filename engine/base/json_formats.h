@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -132,6 +133,9 @@ struct ViewFormat {
   JsonCursor::Json write(const Value& value) const { return writeDescribed(View{value}); }
   JsonCursor::Json schema(SchemaDefinitions& definitions) const { return definitions.reference<View>(); }
 };
+
+/// The most entries of a list that only the size of its file limits.
+inline constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
 
 /// A list of `least` to `most` values.
 template <class Item>

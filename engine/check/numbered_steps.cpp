@@ -36,18 +36,19 @@ void checkProof(NumberedStep& numbered) {
 }
 
 void numberBodies(const Product& product, const StepList& list, Present& left, NumberedStep& numbered) {
-  for (const std::string& id : numbered.step->bodies) {
+  for (const BodyId& id : numbered.step->bodies) {
     const auto body =
         std::find_if(product.bodies.begin(), product.bodies.end(), [&](const Body& each) { return each.id == id; });
     const bool stays = std::find(list.staying.begin(), list.staying.end(), id) != list.staying.end();
     if (body == product.bodies.end()) {
-      numbered.wrong.push_back({GLISSADE_TEXT("it moves '%1', which is not a body of the product"), {id}});
+      numbered.wrong.push_back({GLISSADE_TEXT("it moves '%1', which is not a body of the product"), {id.text()}});
       continue;
     }
     const auto index = static_cast<std::size_t>(body - product.bodies.begin());
-    if (stays) numbered.wrong.push_back({GLISSADE_TEXT("it moves '%1', which is fixed as base"), {id}});
-    if (left[index]) numbered.wrong.push_back({GLISSADE_TEXT("it moves '%1', which was removed before"), {id}});
-    if (!list.there[index]) numbered.wrong.push_back({GLISSADE_TEXT("it moves '%1', which is not in the group"), {id}});
+    if (stays) numbered.wrong.push_back({GLISSADE_TEXT("it moves '%1', which is fixed as base"), {id.text()}});
+    if (left[index]) numbered.wrong.push_back({GLISSADE_TEXT("it moves '%1', which was removed before"), {id.text()}});
+    if (!list.there[index])
+      numbered.wrong.push_back({GLISSADE_TEXT("it moves '%1', which is not in the group"), {id.text()}});
     left[index] = true;
     numbered.group.push_back(index);
   }

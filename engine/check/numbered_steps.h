@@ -11,8 +11,8 @@ namespace glissade::check {
 /// Consecutive steps among the same bodies: the steps of a plan, or of a group that has left and is taken apart.
 struct StepList {
   const std::vector<Step>& steps;
-  const std::vector<std::string>& staying;  ///< ids
-  Present there;                            ///< bodies that are there when the first step begins
+  const std::vector<BodyId>& staying;  ///< ids
+  Present there;                       ///< bodies that are there when the first step begins
 };
 
 /// A step with its bodies by number.

@@ -12,13 +12,14 @@
 #include "engine/evidence/placed_bodies.h"
 #include "engine/evidence/thread.h"
 #include "engine/evidence/thread_core.h"
+#include "engine/model/body_id.h"
 
 namespace glissade::check {
 
 /// An allowance as a judgement applied it.
 struct AppliedAllowance {
-  std::string moving;  ///< id of the moving body
-  std::string other;
+  BodyId moving;  ///< id of the moving body
+  BodyId other;
   std::string thinner;  ///< name of the thinned body, for people
   std::string against;
   bool yields = false;             ///< the other body is taken thinner
@@ -65,7 +66,7 @@ struct PairQuestion {
   const Body& other;
   std::vector<Pose> assembled;                                ///< configurations of the moving body
   const std::optional<std::vector<StatedAllowance>>& stated;  ///< statements of the path or the step
-  std::string first;                                          ///< id of the moving body for allowances that name none
+  BodyId first;                                               ///< id of the moving body for allowances that name none
   std::vector<Pose> path;                                     ///< configurations of the moving body
 };
 

@@ -8,13 +8,14 @@
 #include "engine/evidence/evidence.h"
 #include "engine/evidence/thread.h"
 #include "engine/geometry/pose.h"
+#include "engine/model/body_id.h"
 
 namespace glissade::check {
 
 /// An allowance as a file states it.
 struct StatedAllowance {
-  std::string moving;      ///< id; empty: the object, or the first body of the step
-  std::string body;        ///< id of the other body
+  BodyId moving;           ///< id; empty: the object, or the first body of the step
+  BodyId body;             ///< id of the other body
   double allowance = 0.0;  ///< metres
   bool yields = false;     ///< the other body is taken thinner, not the moving one
   bool isThread = false;   ///< the file calls the pair a thread
@@ -27,7 +28,7 @@ struct StatedAllowance {
   std::optional<double> turns{};       ///< turns of the moving body in the thread
 
   /// True if it belongs to this pair of ids. `first`: the object, or the first body of the step.
-  bool isAbout(const std::string& movingBody, const std::string& other, const std::string& first) const {
+  bool isAbout(const BodyId& movingBody, const BodyId& other, const BodyId& first) const {
     return (moving.empty() ? first : moving) == movingBody && body == other;
   }
 };

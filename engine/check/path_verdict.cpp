@@ -88,7 +88,7 @@ void checkNames(const Question& question, const std::vector<StatedAllowance>& st
     if (known && (each.moving.empty() || each.moving == question.object().id)) continue;
     verdict.refusals.push_back(
         {GLISSADE_TEXT("the file states an allowance of '%1' against '%2', which are not the object and another body"),
-         {each.moving, each.body}});
+         {each.moving.text(), each.body.text()}});
   }
 }
 

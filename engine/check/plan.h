@@ -7,22 +7,23 @@
 
 #include "engine/check/path.h"
 #include "engine/check/product.h"
+#include "engine/model/body_id.h"
 
 namespace glissade::check {
 
 /// A rule that a step says it breaks, and the bodies that the rule concerns.
 struct StatedViolation {
   std::string rule;
-  std::vector<std::string> bodies;  ///< ids
+  std::vector<BodyId> bodies;  ///< ids
 };
 
 /// A joint that a step says comes apart by it. An empty member: the plan does not state it.
 struct StatedJoint {
   std::string kind;
-  std::string body;                 ///< id
-  std::vector<std::string> others;  ///< ids
-  std::string drive{};              ///< "hex", "hex_socket", ...; empty: none
-  bool isNamed = false;             ///< it has a designation
+  BodyId body;                 ///< id
+  std::vector<BodyId> others;  ///< ids
+  std::string drive{};         ///< "hex", "hex_socket", ...; empty: none
+  bool isNamed = false;        ///< it has a designation
   std::optional<double> diameter{};
   std::optional<double> pitch{};  ///< metres a turn; below 0: left-handed
   std::optional<double> turns{};
@@ -38,12 +39,12 @@ struct StatedProof {
   std::optional<double> required{};
   std::optional<double> provedClearance{};
   std::optional<double> minClearance{};
-  std::string nearest{};  ///< id; empty: none
+  BodyId nearest{};  ///< id; empty: none
 };
 
 /// A step as a plan states it.
 struct Step {
-  std::vector<std::string> bodies;  ///< ids of the bodies that leave
+  std::vector<BodyId> bodies;  ///< ids of the bodies that leave
   std::vector<Point> path;
   std::vector<std::size_t> after;  ///< steps that have to be carried out before, from 1
   std::vector<StatedAllowance> allowances;
@@ -60,16 +61,16 @@ struct Step {
 /// The disassembly of a group that has left, in a frame of the group: only its bodies are there.
 struct Line {
   std::size_t step = 0;  ///< number, from 1, of the step by which the group has left, in the plan or in the line above
-  std::vector<std::string> bodies;   ///< ids
-  std::vector<std::string> staying;  ///< ids
+  std::vector<BodyId> bodies;   ///< ids
+  std::vector<BodyId> staying;  ///< ids
   std::vector<Step> steps;
   std::vector<Line> lines;  ///< lines of groups that leave this group
 };
 
 /// An assembly plan as its file states it; no statement of it is trusted.
 struct Plan {
-  std::vector<std::string> bodies;   ///< ids
-  std::vector<std::string> staying;  ///< ids
+  std::vector<BodyId> bodies;   ///< ids
+  std::vector<BodyId> staying;  ///< ids
   std::vector<Step> steps;
   std::string end;  ///< "complete", "stuck", "time_limit" or "interrupted"
   Demands demands{};

@@ -9,23 +9,23 @@ namespace {
 
 /// Checks that the plan and the product have the same bodies, each once.
 void compareBodies(const Product& product, const Plan& plan, std::vector<Message>& wrong) {
-  std::set<std::string> ofProduct;
+  std::set<BodyId> ofProduct;
   for (const Body& body : product.bodies) ofProduct.insert(body.id);
-  std::set<std::string> listed;
-  for (const std::string& id : plan.bodies) {
-    if (!listed.insert(id).second) wrong.push_back({GLISSADE_TEXT("the plan lists '%1' twice"), {id}});
+  std::set<BodyId> listed;
+  for (const BodyId& id : plan.bodies) {
+    if (!listed.insert(id).second) wrong.push_back({GLISSADE_TEXT("the plan lists '%1' twice"), {id.text()}});
     if (ofProduct.count(id) == 0)
-      wrong.push_back({GLISSADE_TEXT("the plan lists '%1', which is not a body of the product"), {id}});
+      wrong.push_back({GLISSADE_TEXT("the plan lists '%1', which is not a body of the product"), {id.text()}});
   }
-  for (const std::string& id : ofProduct) {
+  for (const BodyId& id : ofProduct) {
     if (listed.count(id) == 0)
-      wrong.push_back({GLISSADE_TEXT("the product has '%1', which the plan does not list"), {id}});
+      wrong.push_back({GLISSADE_TEXT("the product has '%1', which the plan does not list"), {id.text()}});
   }
-  std::set<std::string> staying;
-  for (const std::string& id : plan.staying) {
+  std::set<BodyId> staying;
+  for (const BodyId& id : plan.staying) {
     if (listed.count(id) == 0)
-      wrong.push_back({GLISSADE_TEXT("'%1' is fixed as base and is none of the plan's bodies"), {id}});
-    if (!staying.insert(id).second) wrong.push_back({GLISSADE_TEXT("'%1' is fixed as base twice"), {id}});
+      wrong.push_back({GLISSADE_TEXT("'%1' is fixed as base and is none of the plan's bodies"), {id.text()}});
+    if (!staying.insert(id).second) wrong.push_back({GLISSADE_TEXT("'%1' is fixed as base twice"), {id.text()}});
   }
 }
 

@@ -43,7 +43,7 @@ Message againstDirections(const Step& step, const Group& group, const Present& t
   return {};
 }
 
-bool says(const Step& step, const std::string& rule, const std::string& id) {
+bool says(const Step& step, const std::string& rule, const BodyId& id) {
   return std::any_of(step.violates.begin(), step.violates.end(), [&](const StatedViolation& each) {
     const auto& ids = each.bodies;
     return each.rule == rule && (id.empty() || std::find(ids.begin(), ids.end(), id) != ids.end());
@@ -61,7 +61,7 @@ bool isSameMotion(const std::vector<Pose>& demanded, const std::vector<Point>& p
 }  // namespace
 
 Group bodiesNamed(const Product& product, const std::string& name) {
-  std::vector<std::string> ids;
+  std::vector<BodyId> ids;
   for (const Body& body : product.bodies) ids.push_back(body.id);
   return bodiesMeant(ids, name, product.tree);
 }

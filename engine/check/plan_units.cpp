@@ -10,9 +10,9 @@
 namespace glissade::check {
 namespace {
 
-using Ids = std::set<std::string>;
+using Ids = std::set<BodyId>;
 
-Ids idsOf(const std::vector<std::string>& ids) { return {ids.begin(), ids.end()}; }
+Ids idsOf(const std::vector<BodyId>& ids) { return {ids.begin(), ids.end()}; }
 
 std::vector<std::string> namesOf(const Ids& ids, const Product& product) {
   std::vector<std::string> names;
@@ -56,7 +56,7 @@ class LeavingCount {
     addSteps(line.steps, line.lines);
     Ids remaining = idsOf(line.bodies);
     for (const Step& step : line.steps) {
-      for (const std::string& id : step.bodies) remaining.erase(id);
+      for (const BodyId& id : step.bodies) remaining.erase(id);
     }
     addCluster(remaining, remaining == idsOf(line.staying));
   }

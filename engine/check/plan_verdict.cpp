@@ -30,7 +30,7 @@ struct JudgedList {
   LineVerdict verdict;
 };
 
-Present presentOnly(const std::vector<std::string>& ids, const Product& product) {
+Present presentOnly(const std::vector<BodyId>& ids, const Product& product) {
   Present there(product.bodies.size(), false);
   for (std::size_t body = 0; body < there.size(); ++body) {
     there[body] = std::find(ids.begin(), ids.end(), product.bodies[body].id) != ids.end();
@@ -44,14 +44,13 @@ std::vector<Message> wrongLine(const Line& line, const std::vector<Step>& above)
     return {{GLISSADE_TEXT("it states \"step\": %1, and there are %2"), {line.step, above.size()}}};
   const auto& group = above[line.step - 1].bodies;
   std::vector<Message> wrong;
-  if (std::set<std::string>(group.begin(), group.end()) !=
-          std::set<std::string>(line.bodies.begin(), line.bodies.end()) ||
+  if (std::set<BodyId>(group.begin(), group.end()) != std::set<BodyId>(line.bodies.begin(), line.bodies.end()) ||
       group.size() != line.bodies.size()) {
     wrong.emplace_back(GLISSADE_TEXT("its bodies are not those of its step"));
   }
-  for (const std::string& id : line.staying) {
+  for (const BodyId& id : line.staying) {
     if (std::find(group.begin(), group.end(), id) != group.end()) continue;
-    wrong.push_back({GLISSADE_TEXT("'%1' is fixed as base and is not in the group"), {id}});
+    wrong.push_back({GLISSADE_TEXT("'%1' is fixed as base and is not in the group"), {id.text()}});
   }
   return wrong;
 }

@@ -10,14 +10,15 @@
 #include "engine/check/condition.h"
 #include "engine/check/motion_setup.h"
 #include "engine/check/plan.h"
+#include "engine/model/body_id.h"
 
 namespace glissade::check {
 
 struct StepVerdict {
-  std::vector<std::string> bodies;  ///< ids
-  JudgedMotion motion{};            ///< names bodies by number in the product; for a group, the least clear one
-  bool endsOutside = false;         ///< each body ends clear of the bounding box of the others
-  Message againstDemand{};          ///< demand of a person that the step breaks; empty: none
+  std::vector<BodyId> bodies;  ///< ids
+  JudgedMotion motion{};       ///< names bodies by number in the product; for a group, the least clear one
+  bool endsOutside = false;    ///< each body ends clear of the bounding box of the others
+  Message againstDemand{};     ///< demand of a person that the step breaks; empty: none
   std::vector<AppliedAllowance> allowances{};
   std::vector<Message> refusals{};  ///< refused statements of the step, for people
   bool isFlexible = false;          ///< the step is of a flexible body: its motion is not judged

@@ -9,6 +9,7 @@
 #include "engine/check/evidence_names.h"
 #include "engine/evidence/body.h"
 #include "engine/evidence/pair_words.h"
+#include "engine/model/body_id.h"
 #include "engine/model/missing_shape.h"
 #include "engine/model/product.h"
 
@@ -17,12 +18,12 @@ namespace glissade::check {
 /// A person's statements about joints, except bends and partings; bodies by id.
 struct JointWords {
   struct Pitch {
-    std::string a;
-    std::string b;
+    BodyId a;
+    BodyId b;
     double pitch = 0.0;  ///< metres a turn; below 0: left-handed
   };
-  std::vector<std::string> flexible{};
-  std::vector<std::vector<std::string>> units{};  ///< bodies that are handled as one
+  std::vector<BodyId> flexible{};
+  std::vector<std::vector<BodyId>> units{};  ///< bodies that are handled as one
   std::vector<Pitch> pitches{};
 };
 

@@ -13,10 +13,10 @@ namespace {
 
 constexpr const char* kPlanFormatName = "glissade-plan";
 
-std::vector<std::string> textsOf(const JsonCursor& at) {
-  std::vector<std::string> texts;
-  for (std::size_t i = 0; i < at.sizeUpTo(limits::kMostBodies); ++i) texts.push_back(at.element(i).text());
-  return texts;
+std::vector<BodyId> idsOf(const JsonCursor& at) {
+  std::vector<BodyId> ids;
+  for (std::size_t i = 0; i < at.sizeUpTo(limits::kMostBodies); ++i) ids.emplace_back(at.element(i).text());
+  return ids;
 }
 
 /// A length in metres, at least 0.
@@ -29,8 +29,8 @@ double lengthAt(const JsonCursor& at) {
 StatedJoint readJoint(const JsonCursor& at) {
   at.allowOnly({"kind", "body", "others", "clamped", "designation", "drive", "drive_size_m", "bend_m", "diameter_m",
                 "pitch_m", "pitch_stated", "turns"});
-  StatedJoint joint{at.at("kind").text(), at.at("body").text(), {}};
-  if (const auto others = at.find("others")) joint.others = textsOf(*others);
+  StatedJoint joint{at.at("kind").text(), BodyId(at.at("body").text()), {}};
+  if (const auto others = at.find("others")) joint.others = idsOf(*others);
   if (const auto drive = at.find("drive")) joint.drive = drive->text();
   if (const auto name = at.find("designation")) joint.isNamed = !name->text().empty();
   if (const auto diameter = at.find("diameter_m")) joint.diameter = lengthAt(*diameter);
@@ -55,7 +55,7 @@ StatedProof readProof(const JsonCursor& at) {
   proof.provedClearance = clearanceAt(at.find("proved_clearance_m"));
   proof.minClearance = clearanceAt(at.find("min_clearance_m"));
   const auto nearest = at.find("nearest");
-  if (nearest && !nearest->json().is_null()) proof.nearest = nearest->text();
+  if (nearest && !nearest->json().is_null()) proof.nearest = BodyId(nearest->text());
   return proof;
 }
 
@@ -75,7 +75,7 @@ Step readStep(const JsonCursor& at, std::size_t earlier) {
   at.allowOnly({"bodies", "method", "wave", "after", "fastener", "tool", "falling", "certificate", "allowances", "path",
                 "violates", "joints", "task", "unit"});
   Step step;
-  step.bodies = textsOf(at.at("bodies"));
+  step.bodies = idsOf(at.at("bodies"));
   step.path = readPoints(at.at("path"));
   const JsonCursor allowances = at.at("allowances");
   for (std::size_t i = 0; i < allowances.sizeUpTo(limits::kMostBodies); ++i) {
@@ -97,7 +97,7 @@ Step readStep(const JsonCursor& at, std::size_t earlier) {
   const auto violates = at.find("violates");
   for (std::size_t i = 0; violates && i < violates->sizeUpTo(limits::kMostBodies); ++i) {
     const JsonCursor each = violates->element(i);
-    step.violates.push_back({each.at("rule").text(), textsOf(each.at("bodies"))});
+    step.violates.push_back({each.at("rule").text(), idsOf(each.at("bodies"))});
   }
   return step;
 }
@@ -115,8 +115,8 @@ std::vector<Line> linesIn(const JsonCursor& at) {
   for (std::size_t i = 0; list && i < list->sizeUpTo(limits::kMostBodies); ++i) {
     const JsonCursor line = list->element(i);
     line.allowOnly({"step", "bodies", "staying", "steps", "stuck", "lines"});
-    lines.push_back({static_cast<std::size_t>(line.at("step").wholeNumber()), textsOf(line.at("bodies")),
-                     textsOf(line.at("staying")), readSteps(line.at("steps")), linesIn(line)});
+    lines.push_back({static_cast<std::size_t>(line.at("step").wholeNumber()), idsOf(line.at("bodies")),
+                     idsOf(line.at("staying")), readSteps(line.at("steps")), linesIn(line)});
   }
   return lines;
 }
@@ -129,8 +129,8 @@ Plan planIn(const JsonCursor& at) {
   if (at.at("version").wholeNumber() != 1)
     at.at("version").fail(GLISSADE_TEXT("is not 1"), GLISSADE_TEXT("Use a newer Glissade."));
   Plan plan;
-  plan.bodies = textsOf(at.at("bodies"));
-  plan.staying = textsOf(at.at("staying"));
+  plan.bodies = idsOf(at.at("bodies"));
+  plan.staying = idsOf(at.at("staying"));
   plan.end = at.at("end").text();
   constexpr std::array<const char*, 4> kEnds{"complete", "stuck", "time_limit", "interrupted"};
   if (std::find(kEnds.begin(), kEnds.end(), plan.end) == kEnds.end()) {

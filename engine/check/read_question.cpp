@@ -44,7 +44,7 @@ Diagnostic stopped(const std::string& file) {
 /// Replaces names by those that people see.
 void shorten(Product& product) {
   std::vector<std::string> ids;
-  for (const Body& body : product.bodies) ids.push_back(body.id);
+  for (const Body& body : product.bodies) ids.push_back(body.id.text());
   const std::vector<std::string> shown = product.tree.labels(ids);
   for (std::size_t i = 0; i < product.bodies.size(); ++i) product.bodies[i].name = shown[i];
 }
@@ -65,14 +65,14 @@ void warnIfOpen(const Body& body, const std::string& file, std::map<MeshPtr, boo
 
 Outcome checkPairs(const Product& product, const std::string& file) {
   for (std::size_t i = 0; i < product.fits.pairs.size(); ++i) {
-    for (const std::string& id : {product.fits.pairs[i].a, product.fits.pairs[i].b}) {
+    for (const BodyId& id : {product.fits.pairs[i].a, product.fits.pairs[i].b}) {
       const bool known =
           std::any_of(product.bodies.begin(), product.bodies.end(), [&](const Body& body) { return body.id == id; });
       if (known) continue;
       return Diagnostic{ErrorKind::MalformedInput,
                         file,
                         "/fits/pairs/" + std::to_string(i),
-                        {GLISSADE_TEXT("names the body '%1', which is not there"), {id}},
+                        {GLISSADE_TEXT("names the body '%1', which is not there"), {id.text()}},
                         GLISSADE_TEXT("See 'glissade-cli fits' for the names.")};
     }
   }
@@ -176,7 +176,7 @@ Result<ReadParts> partsOf(const Asset& asset, const std::string& part, const Par
   std::vector<ProductBody> nodes;
   for (std::size_t i = 0; i < read.bodies.size(); ++i) {
     const Occurrence& solid = chosen.parts[i];
-    if (read.bodies[i].id.empty()) read.bodies[i].id = file;
+    if (read.bodies[i].id.empty()) read.bodies[i].id = BodyId(file);
     nodes.push_back({read.bodies[i].id, {solid.path.empty() ? lastStepOf(file) : solid.path, solid.names}});
   }
   read.tree = glissade::Product(nodes);
@@ -369,7 +369,7 @@ Result<Product> readProduct(const std::string& file, double deflection, const Fi
 
 Outcome leaveOut(const std::vector<std::string>& names, Product& product) {
   if (names.empty()) return Done{};
-  std::vector<std::string> ids;
+  std::vector<BodyId> ids;
   for (const Body& body : product.bodies) ids.push_back(body.id);
   const auto meant = bodiesMeant(ids, names, "--without", product.tree);
   if (!meant) return meant.error();

@@ -57,8 +57,8 @@ Geometry readShape(const JsonCursor& at, const std::set<std::string>& assets) {
 
 StatedScenario::StatedBody readStatedBody(const JsonCursor& at, const std::set<std::string>& assets) {
   StatedScenario::StatedBody body;
-  body.id = at.at("id").nonEmptyText();
-  body.name = at.has("name") ? at.at("name").text() : body.id;
+  body.id = BodyId(at.at("id").nonEmptyText());
+  body.name = at.has("name") ? at.at("name").text() : body.id.text();
   body.geometry = readShape(at.at("geometry"), assets);
   if (const auto pose = at.find("pose")) body.pose = readPose(*pose);
   return body;
@@ -77,7 +77,7 @@ bool saysThatItStays(const JsonCursor& body) {
 
 PairWord readPair(const JsonCursor& at) {
   at.allowOnly({"a", "b", "kind", "allowance", "accepted", "pitch_m", "turned"});
-  PairWord word{at.at("a").nonEmptyText(), at.at("b").nonEmptyText()};
+  PairWord word{BodyId(at.at("a").nonEmptyText()), BodyId(at.at("b").nonEmptyText())};
   if (word.a == word.b) at.at("b").fail(GLISSADE_TEXT("is the same body as 'a'"));
   if (const auto kind = at.find("kind")) {
     constexpr std::array<const char*, 7> kKinds{"planar",  "cylindrical", "thread", "press",
@@ -101,7 +101,7 @@ PairWord readPair(const JsonCursor& at) {
     }
   }
   if (const auto turned = at.find("turned")) {
-    word.turned = turned->text();
+    word.turned = BodyId(turned->text());
     if (word.turned != word.a && word.turned != word.b) turned->fail(GLISSADE_TEXT("is neither of the two bodies"));
   }
   return word;
@@ -185,25 +185,25 @@ StatedScenario readStatedScenario(const JsonCursor& root) {
     scenario.assets.push_back(readAsset(assetList->element(i)));
     assets.insert(scenario.assets.back().id);
   }
-  std::set<std::string> ids;
-  const auto addId = [&](const std::string& id, const JsonCursor& at) {
-    if (id.find('/') != std::string::npos)
+  std::set<BodyId> ids;
+  const auto addId = [&](const BodyId& id, const JsonCursor& at) {
+    if (id.text().find('/') != std::string::npos)
       at.at("id").fail(GLISSADE_TEXT("holds a '/'"), GLISSADE_TEXT("Leave it out."));
-    if (!ids.insert(id).second) at.at("id").fail({GLISSADE_TEXT("has the id '%1' a second time"), {id}});
+    if (!ids.insert(id).second) at.at("id").fail({GLISSADE_TEXT("has the id '%1' a second time"), {id.text()}});
   };
   std::vector<std::string> staying;
   const auto addBodies = [&](const JsonCursor& list, std::vector<StatedScenario::StatedBody>& bodies) {
     for (std::size_t i = 0; i < list.sizeUpTo(limits::kMostBodies); ++i) {
       bodies.push_back(readStatedBody(list.element(i), assets));
       addId(bodies.back().id, list.element(i));
-      if (saysThatItStays(list.element(i))) staying.push_back(bodies.back().id);
+      if (saysThatItStays(list.element(i))) staying.push_back(bodies.back().id.text());
     }
   };
   addBodies(root.at("bodies"), scenario.bodies);
   const JsonCursor object = root.at("object");
   scenario.object.push_back(readStatedBody(object, assets));
   addId(scenario.object.front().id, object);
-  if (saysThatItStays(object)) staying.push_back(scenario.object.front().id);
+  if (saysThatItStays(object)) staying.push_back(scenario.object.front().id.text());
   if (const auto with = object.find("with")) addBodies(*with, scenario.object);
   if (const auto leftOut = root.find("left_out")) addBodies(*leftOut, scenario.leftOut);
   if (const auto product = root.find("product")) scenario.nodes = readNodes(*product);

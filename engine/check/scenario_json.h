@@ -15,7 +15,7 @@ namespace glissade::check {
 /// The part of a scenario file that a judge needs, before geometry is read.
 struct StatedScenario {
   struct StatedBody {
-    std::string id;
+    BodyId id;
     std::string name;
     Geometry geometry;
     Pose pose;

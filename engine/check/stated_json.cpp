@@ -22,6 +22,19 @@ std::vector<std::string> readTexts(const JsonCursor& at) {
   return texts;
 }
 
+std::vector<BodyId> readIds(const JsonCursor& at) {
+  const std::vector<std::string> texts = readTexts(at);
+  return {texts.begin(), texts.end()};
+}
+
+/// The other bodies of a joint.
+std::vector<BodyId> othersOf(const JsonCursor& joint) {
+  const auto others = joint.find("others");
+  return others ? readIds(*others) : std::vector<BodyId>();
+}
+
+BodyId bodyOf(const JsonCursor& joint) { return BodyId(joint.at("body").nonEmptyText()); }
+
 /// One bend for each edge that a statement names; empty if it states no bend.
 std::vector<SnapWord> bendsIn(const JsonCursor& joint) {
   std::vector<SnapWord> snaps;
@@ -32,8 +45,8 @@ std::vector<SnapWord> bendsIn(const JsonCursor& joint) {
   if (!bend || !direction || !others || metres(*bend) == 0.0) return snaps;
   const Vector3 way = readVector(*direction);
   if (!(way.norm() > 0.0)) direction->fail(GLISSADE_TEXT("has no direction"));
-  for (const std::string& edge : readTexts(*others)) {
-    snaps.push_back({joint.at("body").nonEmptyText(), edge, metres(*bend), way.normalized()});
+  for (const BodyId& edge : readIds(*others)) {
+    snaps.push_back({bodyOf(joint), edge, metres(*bend), way.normalized()});
   }
   return snaps;
 }
@@ -47,10 +60,9 @@ Evidence readEvidence(const JsonCursor& at) {
 }
 
 /// The body and the other bodies of a joint.
-std::vector<std::string> bodiesOfJoint(const JsonCursor& joint) {
-  std::vector<std::string> bodies{joint.at("body").nonEmptyText()};
-  const auto others = joint.find("others");
-  for (const std::string& other : others ? readTexts(*others) : std::vector<std::string>()) bodies.push_back(other);
+std::vector<BodyId> bodiesOfJoint(const JsonCursor& joint) {
+  std::vector<BodyId> bodies = othersOf(joint);
+  bodies.insert(bodies.begin(), bodyOf(joint));
   return bodies;
 }
 
@@ -79,9 +91,10 @@ std::vector<StatedAllowance> readAllowances(const JsonCursor& at) {
   for (std::size_t i = 0; i < at.sizeUpTo(limits::kMostBodies); ++i) {
     const JsonCursor each = at.element(i);
     StatedAllowance allowance;
-    if (const auto moving = each.find("moving")) allowance.moving = moving->text();
-    if (const auto object = each.find("object")) allowance.moving = object->text();  // paths of earlier versions
-    allowance.body = each.at("body").nonEmptyText();
+    if (const auto moving = each.find("moving")) allowance.moving = BodyId(moving->text());
+    if (const auto object = each.find("object"))
+      allowance.moving = BodyId(object->text());  // paths of earlier versions
+    allowance.body = bodyOf(each);
     allowance.allowance = metres(each.at("allowance_m"));
     if (const auto yields = each.find("yields")) allowance.yields = yields->boolean();
     if (const auto kind = each.find("kind")) allowance.isThread = kind->text() == "thread";
@@ -117,10 +130,9 @@ PartingWords readPartings(const JsonCursor& joints, PartingWords words) {
   for (std::size_t i = 0; i < joints.sizeUpTo(limits::kMostBodies); ++i) {
     const JsonCursor joint = joints.element(i);
     const std::string word = joint.at("word").text();
-    const std::string body = joint.at("body").nonEmptyText();
-    const auto others = joint.find("others");
-    for (const std::string& other : others ? readTexts(*others) : std::vector<std::string>()) {
-      const std::pair<std::string, std::string> pair = std::minmax(body, other);
+    const BodyId body = bodyOf(joint);
+    for (const BodyId& other : othersOf(joint)) {
+      const std::pair<BodyId, BodyId> pair = std::minmax(body, other);
       std::erase(words.pairs, pair);
       if (word == "dissolved" || word == "pressed_out") words.pairs.push_back(pair);
     }
@@ -139,9 +151,8 @@ std::vector<SnapWord> readSnaps(const JsonCursor& at) {
   for (std::size_t i = 0; i < at.sizeUpTo(limits::kMostBodies); ++i) {
     const JsonCursor joint = at.element(i);
     if (joint.at("kind").text() != "snap") continue;
-    const std::string hook = joint.at("body").nonEmptyText();
-    const auto others = joint.find("others");
-    const std::vector<std::string> edges = others ? readTexts(*others) : std::vector<std::string>();
+    const BodyId hook = bodyOf(joint);
+    const std::vector<BodyId> edges = othersOf(joint);
     std::erase_if(snaps, [&](const SnapWord& earlier) {
       return earlier.hook == hook && std::find(edges.begin(), edges.end(), earlier.edge) != edges.end();
     });
@@ -156,7 +167,7 @@ JointWords readJointWords(const JsonCursor& joints, JointWords words) {
     const JsonCursor joint = joints.element(i);
     const std::string kind = joint.at("kind").text();
     const bool isConfirmed = joint.at("word").text() == "confirmed";
-    const std::vector<std::string> bodies = bodiesOfJoint(joint);
+    const std::vector<BodyId> bodies = bodiesOfJoint(joint);
     if (kind == "flexible") {
       std::erase(words.flexible, bodies.front());
       if (isConfirmed) words.flexible.push_back(bodies.front());

@@ -72,7 +72,7 @@ class Numbers {
                       {key, shortText(stated), of, found}});
   }
 
-  const Body* bodyOf(const std::string& id) const {
+  const Body* bodyOf(const BodyId& id) const {
     const auto found = std::find_if(question_.product.bodies.begin(), question_.product.bodies.end(),
                                     [&](const Body& body) { return body.id == id; });
     return found == question_.product.bodies.end() ? nullptr : &*found;
@@ -81,9 +81,9 @@ class Numbers {
   static Message atMost(double value) { return {GLISSADE_TEXT("at most %1"), {shortText(value)}}; }
 
   /// The name for people, or the id if there is no such body.
-  std::string nameOf(const std::string& id) const {
+  std::string nameOf(const BodyId& id) const {
     const Body* body = bodyOf(id);
-    return body == nullptr ? id : body->name;
+    return body == nullptr ? id.text() : body->name;
   }
 
   void compareCounts() {
@@ -99,7 +99,7 @@ class Numbers {
       refuse("after_steps", proof.afterSteps, Message{GLISSADE_TEXT("%1 {1|step|steps} before it"), {before}});
     }
     if (!proof.nearest.empty() && bodyOf(proof.nearest) == nullptr) {
-      refuse("nearest", Message{GLISSADE_TEXT("'%1'"), {proof.nearest}}, GLISSADE_TEXT("no such body"));
+      refuse("nearest", Message{GLISSADE_TEXT("'%1'"), {proof.nearest.text()}}, GLISSADE_TEXT("no such body"));
     }
     if (proof.required && question_.required && !isNear(*proof.required, *question_.required, kClearanceShare, 0.0)) {
       refuse("required_m", shortText(*proof.required), shortText(*question_.required));
@@ -144,11 +144,11 @@ class Numbers {
 
   /// A thread may be drawn anywhere from its core to its crests, on either body.
   void compareDiameter(const StatedJoint& joint, const Message& of) {
-    std::vector<std::string> ids = joint.others;
+    std::vector<BodyId> ids = joint.others;
     ids.push_back(joint.body);
     double nearest = 0.0;
     double largest = 0.0;
-    for (const std::string& id : ids) {
+    for (const BodyId& id : ids) {
       const Body* body = bodyOf(id);
       if (body == nullptr) continue;
       const PlacedBody& placed = question_.placed.at({*body, body->X_WB});
@@ -170,7 +170,7 @@ class Numbers {
   }
 
   void compareBend(const StatedJoint& joint, const Message& of) {
-    for (const std::string& other : joint.others) {
+    for (const BodyId& other : joint.others) {
       const SnapWord* snap = question_.product.fits.snapOf(joint.body, other);
       const double bend = snap == nullptr ? 0.0 : snap->bend;
       if (isNear(*joint.bend, bend, kEstimate, kLeastLength)) continue;
@@ -228,7 +228,7 @@ class Numbers {
   }
 
   void compareAllowance(const StatedAllowance& stated) {
-    const std::string moving = stated.moving.empty() ? step_.bodies.front() : stated.moving;
+    const BodyId moving = stated.moving.empty() ? step_.bodies.front() : stated.moving;
     const Message of{GLISSADE_TEXT("the allowance for '%1' and '%2'"), {nameOf(moving), nameOf(stated.body)}};
     if (stated.turns && *stated.turns > turning_.turns * (1.0 + kTurnShare) + kLeastTurn) {
       refuse("turns", *stated.turns, shortText(turning_.turns), of);

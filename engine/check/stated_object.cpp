@@ -69,22 +69,22 @@ std::vector<Body> groupBodiesOf(const StatedScenario& scenario, const ObjectGeom
   return bodies;
 }
 
-FitWords wordsOfGroup(const FitWords& fits, const std::vector<Body>& group, const std::string& groupId) {
-  const auto isInGroup = [&group](const std::string& id) {
+FitWords wordsOfGroup(const FitWords& fits, const std::vector<Body>& group, const BodyId& groupId) {
+  const auto isInGroup = [&group](const BodyId& id) {
     return std::any_of(group.begin(), group.end(), [&id](const Body& body) { return body.id == id; });
   };
   FitWords ofGroup{fits.on, fits.acceptedClash, {}};
   ofGroup.cut = fits.cut;
   const bool isCut = std::any_of(group.begin(), group.end(), [&](const Body& body) { return fits.isCut(body.id); });
-  if (isCut) ofGroup.cut.push_back(groupId);
-  std::map<std::string, GroupWord> words;  // keyed by the other body
+  if (isCut) ofGroup.cut.push_back(groupId.text());
+  std::map<BodyId, GroupWord> words;  // keyed by the other body
   for (const PairWord& said : fits.pairs) {
     if (isInGroup(said.a) && isInGroup(said.b)) continue;
     if (!isInGroup(said.a) && !isInGroup(said.b)) {
       ofGroup.pairs.push_back(said);
       continue;
     }
-    const std::string& other = isInGroup(said.a) ? said.b : said.a;
+    const BodyId& other = isInGroup(said.a) ? said.b : said.a;
     GroupWord& known = words[other];
     PairWord& word = known.word;
     word.a = groupId;

@@ -26,6 +26,6 @@ std::vector<Body> groupBodiesOf(const StatedScenario& scenario, const ObjectGeom
 /// Merges the statements about the bodies of a group: the stricter one counts, or the one that is stated for each of
 /// its bodies. This is the least allowance, and a clash that is accepted for all. Of kinds and threads the first one
 /// counts. Statements about two bodies of the group are dropped.
-FitWords wordsOfGroup(const FitWords& fits, const std::vector<Body>& group, const std::string& groupId);
+FitWords wordsOfGroup(const FitWords& fits, const std::vector<Body>& group, const BodyId& groupId);
 
 }  // namespace glissade::check

@@ -92,7 +92,7 @@ class StepJudge {
   }
 
  private:
-  bool isInStep(const std::string& id) const {
+  bool isInStep(const BodyId& id) const {
     const auto& ids = numbered_.step->bodies;
     return id.empty() || std::find(ids.begin(), ids.end(), id) != ids.end();
   }
@@ -105,7 +105,7 @@ class StepJudge {
       if (known && isInStep(each.moving)) continue;
       verdict.refusals.push_back({GLISSADE_TEXT("it states an allowance of '%1' against '%2', which are not a body of "
                                                 "the step and one of the product"),
-                                  {each.moving, each.body}});
+                                  {each.moving.text(), each.body.text()}});
     }
   }
 
@@ -128,7 +128,7 @@ class StepJudge {
   }
 
   void judgeFlexible(StepVerdict& verdict) const {
-    const std::string& id = numbered_.step->bodies.front();
+    const BodyId& id = numbered_.step->bodies.front();
     const auto& said = product_.joints.flexible;
     if (std::find(said.begin(), said.end(), id) != said.end()) return;
     verdict.conditions.push_back(isFlexible(product_.bodies[numbered_.group.front()].name));
@@ -139,17 +139,17 @@ class StepJudge {
     for (const StatedViolation& each : numbered_.step->violates) {
       if (each.rule == "before" || each.rule == "place") continue;
       std::vector<std::string> names;
-      for (const std::string& id : each.bodies) names.push_back(nameOf(id));
+      for (const BodyId& id : each.bodies) names.push_back(nameOf(id));
       verdict.notes.push_back(
           {GLISSADE_TEXT("it says that it does not keep the rule \"%1\" about %2"), {each.rule, namesInWords(names)}});
     }
   }
 
-  std::string nameOf(const std::string& id) const {
+  std::string nameOf(const BodyId& id) const {
     for (const Body& body : product_.bodies) {
       if (body.id == id) return body.name;
     }
-    return id;
+    return id.text();
   }
 
   /// Upper bound on the distance of the body, at the beginning, from the nearest body that is there, metres.
@@ -175,7 +175,7 @@ class StepJudge {
     if (auto fit = withItsClash(product_.fits, asked, verdict)) return std::move(*fit);
     if (const Body* cut = cutByPlan(asked)) {
       FitWords words = product_.fits;
-      words.cut.push_back(cut->id);
+      words.cut.push_back(cut->id.text());
       PairFit byCut = fitOf(asked, words, placed_, watch_.stop);
       std::optional<PairFit> fit = byCut.refusals.empty() ? std::move(byCut) : withItsClash(words, asked, verdict);
       if (fit) {
@@ -215,15 +215,17 @@ class StepJudge {
   }
 
   /// The shortest end of the id that names no other body of the product; the id where there is none.
-  std::string idAsOption(const std::string& id) const {
-    for (std::size_t slash = id.rfind('/'); slash != std::string::npos && slash > 0; slash = id.rfind('/', slash - 1)) {
+  std::string idAsOption(const BodyId& id) const {
+    const std::string& whole = id.text();
+    for (std::size_t slash = whole.rfind('/'); slash != std::string::npos && slash > 0;
+         slash = whole.rfind('/', slash - 1)) {
       FitWords words;
-      words.cut = {id.substr(slash + 1)};
+      words.cut = {whole.substr(slash + 1)};
       const auto named = std::count_if(product_.bodies.begin(), product_.bodies.end(),
                                        [&](const Body& body) { return words.isCut(body.id); });
       if (named == 1) return words.cut.front();
     }
-    return id;
+    return whole;
   }
 
   void judgeBends(const PairQuestion& asked, const PairFit& fit, StepVerdict& verdict) const {
@@ -273,7 +275,7 @@ class StepJudge {
       return each.isThread && each.isAbout(asked.moving.id, asked.other.id, asked.first);
     };
     const auto isOfPair = [&](const StatedJoint& joint) {
-      return joint.isScrewed() && std::any_of(joint.others.begin(), joint.others.end(), [&](const std::string& other) {
+      return joint.isScrewed() && std::any_of(joint.others.begin(), joint.others.end(), [&](const BodyId& other) {
                return std::minmax(joint.body, other) == std::minmax(asked.moving.id, asked.other.id);
              });
     };

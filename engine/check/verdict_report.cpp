@@ -100,7 +100,7 @@ Report allowancesJson(const std::vector<AppliedAllowance>& allowances) {
   Report list = Report::array();
   for (const AppliedAllowance& each : allowances) {
     const Evidence& evidence = each.evidence;
-    Report json{{"moving", each.moving},          {"body", each.other},
+    Report json{{"moving", each.moving.text()},   {"body", each.other.text()},
                 {"yields", each.yields},          {"stated_m", each.stated ? Report(*each.stated) : Report(nullptr)},
                 {"allowance_m", each.applied},    {"at_most_m", each.most},
                 {"overlap_m", evidence.overlap},  {"deflection_m", evidence.deflection},
@@ -143,11 +143,11 @@ void addEdges(const MotionVerdict& verdict, const Product& product, std::vector<
 }
 
 /// The name for people of the body with the id.
-std::string shownName(const std::string& id, const Product& product) {
+std::string shownName(const BodyId& id, const Product& product) {
   for (const Body& body : product.bodies) {
     if (body.id == id) return body.name;
   }
-  return id;
+  return id.text();
 }
 
 Message placesInWords(const std::vector<ForbiddenRegion>& regions) {
@@ -330,7 +330,7 @@ namespace {
 struct StepsReport {
   const Product& product;
   bool isTrusted = false;
-  std::set<std::string> left{};  ///< ids of the bodies of earlier steps
+  std::set<BodyId> left{};  ///< ids of the bodies of earlier steps
 };
 
 /// `number`: see stepNumber(). Allowances against bodies that have left count in other orders only.
@@ -470,19 +470,19 @@ Report stepsJson(const std::vector<StepVerdict>& steps, const std::string& group
     const StepVerdict& step = steps[i];
     const MotionVerdict& motion = step.motion.verdict;
     const int nearest = motion.nearest.body;
-    report.push_back(
-        {{"number", stepNumber(i, steps.size(), group)},
-         {"body", step.bodies.empty() ? "" : step.bodies.front()},
-         {"valid", step.valid()},
-         {"certified", step.certified()},
-         {"against_thread", motion.againstThread},
-         {"ends_outside", step.endsOutside},
-         {"against_demand", toString(step.againstDemand)},
-         {"refusals", textsOf(step.refusals)},
-         {"min_clearance_m", finite(motion.minClearance)},
-         {"proved_clearance_m", finite(motion.provedClearance)},
-         {"nearest", nearest < 0 ? Report(nullptr) : Report(product.bodies[static_cast<std::size_t>(nearest)].id)},
-         {"allowances", allowancesJson(step.allowances)}});
+    report.push_back({{"number", stepNumber(i, steps.size(), group)},
+                      {"body", step.bodies.empty() ? "" : step.bodies.front().text()},
+                      {"valid", step.valid()},
+                      {"certified", step.certified()},
+                      {"against_thread", motion.againstThread},
+                      {"ends_outside", step.endsOutside},
+                      {"against_demand", toString(step.againstDemand)},
+                      {"refusals", textsOf(step.refusals)},
+                      {"min_clearance_m", finite(motion.minClearance)},
+                      {"proved_clearance_m", finite(motion.provedClearance)},
+                      {"nearest", nearest < 0 ? Report(nullptr)
+                                              : Report(product.bodies[static_cast<std::size_t>(nearest)].id.text())},
+                      {"allowances", allowancesJson(step.allowances)}});
     if (step.isFlexible) report.back()["flexible"] = true;
     if (!step.pulls.empty()) report.back()["pulls"] = textsOf(step.pulls);
     if (!step.notes.empty()) report.back()["notes"] = textsOf(step.notes);

@@ -12,7 +12,7 @@
 namespace glissade {
 namespace {
 
-using TextsById = std::map<std::string, std::string>;
+using TextsById = std::map<BodyId, std::string>;
 
 void addDesignations(const std::vector<AssemblyStep>& steps, TextsById& designations) {
   for (const AssemblyStep& step : steps) {
@@ -81,10 +81,10 @@ std::string stemOf(const std::string& name) {
 }
 
 /// Numbers of steps in the order of assembly, by body.
-std::map<std::string, std::size_t> stepsByBody(const AssemblyPlan& plan) {
-  std::map<std::string, std::size_t> steps;
+std::map<BodyId, std::size_t> stepsByBody(const AssemblyPlan& plan) {
+  std::map<BodyId, std::size_t> steps;
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
-    for (const std::string& id : plan.steps[i].bodies()) steps[id] = plan.steps.size() - i;
+    for (const BodyId& id : plan.steps[i].bodies()) steps[id] = plan.steps.size() - i;
   }
   return steps;
 }
@@ -95,8 +95,8 @@ std::vector<PartsListRow> partsList(const AssemblyPlan& plan, const AssembledPro
   TextsById designations;
   addDesignations(plan.steps, designations);
   addDesignations(plan.lines, designations);
-  const std::map<std::string, std::size_t> stepOf = stepsByBody(plan);
-  const std::set<std::string> base(plan.staying.begin(), plan.staying.end());
+  const std::map<BodyId, std::size_t> stepOf = stepsByBody(plan);
+  const std::set<BodyId> base(plan.staying.begin(), plan.staying.end());
   std::vector<PartsListRow> rows;
   Shapes shapes;
   constexpr std::size_t kAnyShape = static_cast<std::size_t>(-1);  // shape of all fasteners of one designation

@@ -13,9 +13,9 @@ namespace glissade {
 
 /// Parts of one kind.
 struct PartsListRow {
-  std::string name;                 ///< name without the number that distinguishes parts of the same name
-  std::vector<std::string> bodies;  ///< ids of all parts
-  std::string designation{};        ///< designation of fasteners, from their joints; empty: none
+  std::string name;            ///< name without the number that distinguishes parts of the same name
+  std::vector<BodyId> bodies;  ///< ids of all parts
+  std::string designation{};   ///< designation of fasteners, from their joints; empty: none
   std::size_t count = 0;
   bool hasBase = false;         ///< one of them is in the base
   std::size_t withoutStep = 0;  ///< number of parts without a known step, except the base

@@ -81,12 +81,12 @@ class GraphLayout {
     }
   }
 
-  std::size_t nodeOf(const std::string& id, std::size_t column) {
+  std::size_t nodeOf(const BodyId& id, std::size_t column) {
     const auto known = bodies_.find(id);
     if (known != bodies_.end()) return known->second;
     const auto& staying = plan_.staying;
     const bool stays = std::find(staying.begin(), staying.end(), id) != staying.end();
-    const std::string name = product_.bodies[*product_.indexOf(id)].shown();
+    const std::string name = product_.body(id).shown();
     return bodies_[id] =
                add(name + " (" + words_(stays ? GLISSADE_TEXT("base") : GLISSADE_TEXT("stuck")) + ")", column, false);
   }
@@ -95,7 +95,7 @@ class GraphLayout {
     const std::size_t column = rows.size();
     for (const StuckBody& stuck : plan_.stuck) nodeOf(stuck.body, column);
     for (const StuckBody& stuck : plan_.stuck) {
-      for (const std::string& other : stuck.blockedBy) {
+      for (const BodyId& other : stuck.blockedBy) {
         const std::size_t from = nodeOf(other, column + 1);
         arrows.push_back({from, nodeOf(stuck.body, column), true});
       }
@@ -105,7 +105,7 @@ class GraphLayout {
   const AssemblyPlan& plan_;
   const AssembledProduct& product_;
   const DocumentWords& words_;
-  std::map<std::string, std::size_t> bodies_;
+  std::map<BodyId, std::size_t> bodies_;
 };
 
 double left(const GraphNode& node) { return kMargin + static_cast<double>(node.column) * (kBoxWidth + kColumnGap); }

@@ -49,9 +49,7 @@ class Composer {
   std::string say(CatalogueText text, std::initializer_list<MessageArgument> arguments = {}) const {
     return plain_.words()(text, arguments);
   }
-  const std::string& nameOf(const std::string& id) const {
-    return content_.product.bodies[*content_.product.indexOf(id)].shown();
-  }
+  const std::string& nameOf(const BodyId& id) const { return content_.product.body(id).shown(); }
   static ReportTable facts(std::vector<std::vector<std::string>> rows) {
     return {"", {{"", ReportColumn::Kind::Text}, {"", ReportColumn::Kind::Prose}}, std::move(rows)};
   }
@@ -117,9 +115,9 @@ class Composer {
     report_.blocks.emplace_back(std::move(table));
   }
 
-  std::string namesOf(const std::vector<std::string>& ids) const {
+  std::string namesOf(const std::vector<BodyId>& ids) const {
     std::string names;
-    for (const std::string& id : ids) names += (names.empty() ? "" : ", ") + nameOf(id);
+    for (const BodyId& id : ids) names += (names.empty() ? "" : ", ") + nameOf(id);
     return names;
   }
 
@@ -183,10 +181,10 @@ class Composer {
   void addPage(std::size_t task, const TaskRange& range) {
     const std::string all = std::to_string(content_.plan.steps.size());
     Steps steps;
-    std::vector<std::string> bodies;
+    std::vector<BodyId> bodies;
     for (std::size_t at = range.place; at < range.place + range.count; ++at) {
       steps.push_back(&stepAtPlace(content_.plan.steps, at));
-      for (const std::string& id : steps.back()->bodies()) bodies.push_back(id);
+      for (const BodyId& id : steps.back()->bodies()) bodies.push_back(id);
     }
     const std::string name = nameOfStep(*steps.front(), content_.product);
     const std::string first = stepNumber(range.place);
@@ -220,7 +218,7 @@ class Composer {
     return text;
   }
 
-  Rows factsOf(const Steps& steps, const std::vector<std::string>& bodies, std::size_t place) const {
+  Rows factsOf(const Steps& steps, const std::vector<BodyId>& bodies, std::size_t place) const {
     const AssembledProduct& product = content_.product;
     Rows rows{{say(GLISSADE_TEXT("Full name")), namesOf(bodies)}};
     const auto motionOf = [&](const AssemblyStep& step) { return Texts{plain_.motion(step, PlanOrder::Assembly)}; };
@@ -311,7 +309,7 @@ class Composer {
                       {}};
     for (const StuckBody& stuck : content_.plan.stuck) {
       std::string blockers;
-      for (const std::string& other : stuck.blockedBy) blockers += (blockers.empty() ? "" : ", ") + nameOf(other);
+      for (const BodyId& other : stuck.blockedBy) blockers += (blockers.empty() ? "" : ", ") + nameOf(other);
       table.rows.push_back({nameOf(stuck.body), blockers.empty() ? kDash : blockers});
     }
     report_.blocks.emplace_back(std::move(table));

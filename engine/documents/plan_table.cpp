@@ -25,9 +25,9 @@ class FullNames {
  public:
   explicit FullNames(const AssembledProduct& product) : product_(product), paths_(product.tree.shownPaths()) {}
 
-  std::string operator()(const std::string& id) const {
-    const auto node = product_.tree.find(id);
-    return node ? paths_[*node] : product_.bodies[*product_.indexOf(id)].name;
+  std::string operator()(const BodyId& id) const {
+    const auto node = product_.tree.find(id.text());
+    return node ? paths_[*node] : product_.body(id).name;
   }
 
  private:
@@ -48,7 +48,7 @@ void addStep(CsvTable& table, const std::vector<AssemblyStep>& steps, std::size_
   table.row();
   table.number(static_cast<double>(steps.size() - at));
   std::string parts;
-  for (const std::string& id : step.bodies()) parts += (parts.empty() ? "" : "; ") + nameOf(id);
+  for (const BodyId& id : step.bodies()) parts += (parts.empty() ? "" : "; ") + nameOf(id);
   table.text(parts);
   table.text(step.method);
   table.text(words.motion(step, order));
@@ -69,7 +69,7 @@ void addStep(CsvTable& table, const std::vector<AssemblyStep>& steps, std::size_
 
 void addStuck(CsvTable& table, const StuckBody& stuck, const FullNames& nameOf) {
   std::string blockers;
-  for (const std::string& other : stuck.blockedBy) blockers += (blockers.empty() ? "" : "; ") + nameOf(other);
+  for (const BodyId& other : stuck.blockedBy) blockers += (blockers.empty() ? "" : "; ") + nameOf(other);
   table.row();
   table.number(std::nullopt);
   table.text(nameOf(stuck.body));

@@ -12,7 +12,7 @@ constexpr double kSameDirection = 0.99;
 
 bool isOneKind(const AssemblyStep& a, const AssemblyStep& b, const std::vector<PartsListRow>& parts) {
   return std::any_of(parts.begin(), parts.end(), [&](const PartsListRow& row) {
-    const auto has = [&row](const std::string& id) {
+    const auto has = [&row](const BodyId& id) {
       return std::find(row.bodies.begin(), row.bodies.end(), id) != row.bodies.end();
     };
     return has(a.body) && has(b.body);

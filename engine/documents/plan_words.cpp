@@ -70,7 +70,7 @@ std::string PlanWords::direction(const Vector3& direction) const {
 }
 
 /// Some of the names, for example "rod, bolt and 3 more".
-std::string PlanWords::someOf(const std::vector<std::string>& ids, const AssembledProduct& product) const {
+std::string PlanWords::someOf(const std::vector<BodyId>& ids, const AssembledProduct& product) const {
   constexpr std::size_t kNamed = 2;
   std::string text;
   for (std::size_t i = 0; i < std::min(kNamed, ids.size()); ++i) {
@@ -149,7 +149,7 @@ std::string PlanWords::work(const AssemblyStep& step, const AssembledProduct& pr
 std::string PlanWords::joint(const StepJoint& joint, const AssemblyStep& step, const AssembledProduct& product,
                              PlanOrder order) const {
   const bool removal = order == PlanOrder::Removal;
-  const std::vector<std::string> bodies = step.bodies();
+  const std::vector<BodyId> bodies = step.bodies();
   const bool isOwn = std::find(bodies.begin(), bodies.end(), joint.body) != bodies.end();
   const std::string what = isOwn ? fastenerText(joint, product) : shownNameOf(joint.body, product);
   const std::string turns = decimals(joint.turns, 1, words_.language());
@@ -241,7 +241,7 @@ std::vector<std::string> PlanWords::allowances(const std::vector<Allowance>& all
                                                const AssembledProduct& product) const {
   std::vector<std::string> texts;
   for (const Allowance& allowance : allowances) {
-    const RigidBody& other = product.bodies[*product.indexOf(allowance.body)];
+    const RigidBody& other = product.body(allowance.body);
     const std::string length = length_(allowance.allowance);
     if (allowance.hollow && allowance.kind == ContactKind::Thread) {
       texts.push_back(
@@ -289,7 +289,7 @@ std::string withoutNumber(const std::string& name) {
 std::string kindOfPart(const std::string& name) { return withoutNumber(lastStepOf(name)); }
 
 std::string kindOfPart(std::size_t body, const AssembledProduct& product) {
-  const auto node = product.tree.find(product.bodies[body].id);
+  const auto node = product.tree.find(product.bodies[body].id.text());
   const std::string& name = node ? product.tree.nodes()[*node].names.product : product.bodies[body].name;
   return node && !name.empty() ? withoutNumber(name) : kindOfPart(product.bodies[body].name);
 }
@@ -298,9 +298,9 @@ std::string countedName(const std::string& name, std::size_t count) {
   return count == 1 ? name : std::to_string(count) + " × " + name;
 }
 
-std::string shownNameOf(const std::string& id, const AssembledProduct& product) {
-  const auto body = product.indexOf(id);
-  return body ? product.bodies[*body].shown() : id;
+std::string shownNameOf(const BodyId& id, const AssembledProduct& product) {
+  const auto body = product.find(id);
+  return body ? product.bodies[*body].shown() : id.text();
 }
 
 }  // namespace glissade

@@ -58,7 +58,7 @@ class PlanWords {
   std::string joint(const StepJoint& joint, const AssemblyStep& step, const AssembledProduct& product,
                     PlanOrder order) const;
   std::string turnedMotion(const AssemblyStep& step, PlanOrder order) const;
-  std::string someOf(const std::vector<std::string>& ids, const AssembledProduct& product) const;
+  std::string someOf(const std::vector<BodyId>& ids, const AssembledProduct& product) const;
 
   DocumentWords words_;
   LengthText length_;
@@ -68,7 +68,7 @@ class PlanWords {
 std::string nameOfStep(const AssemblyStep& step, const AssembledProduct& product);
 
 /// The displayed name of the body with this id; the id where the product has no such body.
-std::string shownNameOf(const std::string& id, const AssembledProduct& product);
+std::string shownNameOf(const BodyId& id, const AssembledProduct& product);
 
 /// The name without the number that distinguishes equal names: "nut" of "nut#2".
 std::string kindOfPart(const std::string& name);

@@ -3,12 +3,13 @@
 #include <string>
 
 #include "engine/geometry/triangle_mesh.h"
+#include "engine/model/body_id.h"
 
 namespace glissade::evidence {
 
 /// A body of a product, as the judge reads it.
 struct Body {
-  std::string id;
+  BodyId id;
   std::string name;         ///< name for people
   MeshPtr mesh;             ///< triangles in the body's frame B
   Pose X_WB;                ///< pose where the product is assembled

@@ -4,22 +4,24 @@
 
 namespace glissade::evidence {
 
-bool FitWords::isCut(const std::string& id) const {
+bool FitWords::isCut(const BodyId& id) const {
   return std::any_of(cut.begin(), cut.end(), [&](const std::string& name) {
-    return id == name || (id.size() > name.size() && id.ends_with(name) && id[id.size() - name.size() - 1] == '/');
+    const std::string& whole = id.text();
+    return whole == name ||
+           (whole.size() > name.size() && whole.ends_with(name) && whole[whole.size() - name.size() - 1] == '/');
   });
 }
 
-const SnapWord* FitWords::snapOf(const std::string& a, const std::string& b) const {
+const SnapWord* FitWords::snapOf(const BodyId& a, const BodyId& b) const {
   const auto found = std::find_if(snaps.begin(), snaps.end(), [&](const SnapWord& word) {
     return (word.hook == a && word.edge == b) || (word.hook == b && word.edge == a);
   });
   return found == snaps.end() ? nullptr : &*found;
 }
 
-Message FitWords::partingOf(const std::string& a, const std::string& b) const {
+Message FitWords::partingOf(const BodyId& a, const BodyId& b) const {
   if (partings.anyPair) return GLISSADE_TEXT("the user uses no joints");
-  const std::pair<std::string, std::string> pair = std::minmax(a, b);
+  const std::pair<BodyId, BodyId> pair = std::minmax(a, b);
   if (std::find(partings.pairs.begin(), partings.pairs.end(), pair) != partings.pairs.end()) {
     return GLISSADE_TEXT("the user has dissolved their joint, or has it pressed out");
   }
@@ -29,7 +31,7 @@ Message FitWords::partingOf(const std::string& a, const std::string& b) const {
   return word->accepted ? Message(GLISSADE_TEXT("the user accepts their clash")) : Message();
 }
 
-const PairWord* FitWords::about(const std::string& a, const std::string& b) const {
+const PairWord* FitWords::about(const BodyId& a, const BodyId& b) const {
   const auto found = std::find_if(pairs.begin(), pairs.end(), [&](const PairWord& word) {
     return (word.a == a && word.b == b) || (word.a == b && word.b == a);
   });

@@ -8,26 +8,27 @@
 
 #include "engine/base/message.h"
 #include "engine/geometry/pose.h"
+#include "engine/model/body_id.h"
 
 namespace glissade::evidence {
 
 /// A person's statement about a pair of bodies, named by id.
 struct PairWord {
-  std::string a;
-  std::string b;
+  BodyId a;
+  BodyId b;
   std::string kind{};                 ///< kind as in the file; empty: not stated
   std::optional<double> allowance{};  ///< metres, >= 0; 0: clearance is required
   bool accepted = false;              ///< the clash of the pair is accepted
   std::optional<double> pitch{};      ///< pitch of a thread, metres; below 0: left-handed
-  std::string turned{};               ///< id of the body that is turned in a thread; empty: not stated
+  BodyId turned{};                    ///< id of the body that is turned in a thread; empty: not stated
 
   bool isThread() const { return kind == "thread"; }
 };
 
 /// A person's statement about a snap: its hook bends while the body leaves.
 struct SnapWord {
-  std::string hook;                      ///< id of the body with the hook
-  std::string edge;                      ///< id of the body that it is hooked into
+  BodyId hook;                           ///< id of the body with the hook
+  BodyId edge;                           ///< id of the body that it is hooked into
   double bend = 0.0;                     ///< metres, > 0
   Vector3 direction = Vector3::UnitZ();  ///< unit, world frame: exit direction of the body with the hook
   bool byPlan = false;                   ///< only a plan states it
@@ -37,8 +38,8 @@ struct SnapWord {
 
 /// A person's statements about threads and inserts that come apart without a turn.
 struct PartingWords {
-  bool anyPair = false;                                      ///< joints are not used
-  std::vector<std::pair<std::string, std::string>> pairs{};  ///< ids, the lesser first
+  bool anyPair = false;                            ///< joints are not used
+  std::vector<std::pair<BodyId, BodyId>> pairs{};  ///< ids, the lesser first
 };
 
 struct FitWords {
@@ -49,13 +50,13 @@ struct FitWords {
   PartingWords partings{};
   std::vector<std::string> cut{};  ///< bodies that are cut in accepted clashes: ids, or the ends of ids behind a "/"
 
-  bool isCut(const std::string& id) const;
+  bool isCut(const BodyId& id) const;
   /// The statement about the pair in either order; null: there is none.
-  const PairWord* about(const std::string& a, const std::string& b) const;
+  const PairWord* about(const BodyId& a, const BodyId& b) const;
   /// The snap of the pair in either order; null: the pair is no snap.
-  const SnapWord* snapOf(const std::string& a, const std::string& b) const;
+  const SnapWord* snapOf(const BodyId& a, const BodyId& b) const;
   /// The statement by which the pair may come apart without a turn, for people; empty: none.
-  Message partingOf(const std::string& a, const std::string& b) const;
+  Message partingOf(const BodyId& a, const BodyId& b) const;
   /// True if a person accepts a clash of this depth, metres, to a nanometre. `word`: the statement about the pair, or
   /// null.
   bool accepts(const PairWord* word, double depth) const {

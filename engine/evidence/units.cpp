@@ -58,7 +58,7 @@ class Unit {
     for (const Body* body : bodies) placed_.push_back(&placed.at({*body, body->X_WB}));
   }
 
-  void addSaid(const std::vector<std::string>& unit) {
+  void addSaid(const std::vector<BodyId>& unit) {
     const auto isIn = [&](std::size_t body) {
       return std::find(unit.begin(), unit.end(), bodies_[body]->id) != unit.end();
     };
@@ -130,7 +130,7 @@ class Unit {
 
 }  // namespace
 
-bool areOneUnit(const std::vector<const Body*>& bodies, const std::vector<std::vector<std::string>>& said,
+bool areOneUnit(const std::vector<const Body*>& bodies, const std::vector<std::vector<BodyId>>& said,
                 PlacedBodies& placed) {
   Unit unit(bodies, placed);
   for (const auto& each : said) unit.addSaid(each);

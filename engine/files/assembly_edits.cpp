@@ -15,14 +15,14 @@ Diagnostic refusal(const Location& location, const Message& reason, const Messag
   return {ErrorKind::Usage, "", location, reason, advice};
 }
 
-Location placeOf(const std::string& bodyId) { return {GLISSADE_TEXT("body '%1'"), {bodyId}}; }
+Location placeOf(const BodyId& bodyId) { return {GLISSADE_TEXT("body '%1'"), {bodyId.text()}}; }
 
-Diagnostic noSuchBody(const std::string& id) {
+Diagnostic noSuchBody(const BodyId& id) {
   return refusal(placeOf(id), GLISSADE_TEXT("there is no such body"),
                  GLISSADE_TEXT("Choose one of the panel Product."));
 }
 
-std::vector<BodyDescription>::iterator findBody(const std::string& id, Scenario& scenario) {
+std::vector<BodyDescription>::iterator findBody(const BodyId& id, Scenario& scenario) {
   return std::find_if(scenario.bodies.begin(), scenario.bodies.end(),
                       [&](const BodyDescription& body) { return body.id == id; });
 }
@@ -40,13 +40,13 @@ void dropUnusedAssets(Scenario& scenario) {
   });
 }
 
-void dropFitsOf(const std::string& bodyId, Scenario& scenario) {
+void dropFitsOf(const BodyId& bodyId, Scenario& scenario) {
   std::erase_if(scenario.fits.pairs,
                 [&](const FitEdit& edit) { return bodyIdOf(edit.a) == bodyId || bodyIdOf(edit.b) == bodyId; });
 }
 
-void dropJointsOf(const std::string& bodyId, Scenario& scenario) {
-  const auto isOfBody = [&](const std::string& id) { return bodyIdOf(id) == bodyId; };
+void dropJointsOf(const BodyId& bodyId, Scenario& scenario) {
+  const auto isOfBody = [&](const BodyId& id) { return bodyIdOf(id) == bodyId; };
   std::erase_if(scenario.joints, [&](const JointEdit& edit) {
     return isOfBody(edit.key.body) || std::any_of(edit.key.others.begin(), edit.key.others.end(), isOfBody);
   });
@@ -68,7 +68,7 @@ std::vector<BodyDescription> placedBodiesOf(const ObjectDescription& object, con
 }
 
 /// Takes the body from the list; nothing where it is not in it.
-std::optional<BodyDescription> taken(const std::string& id, std::vector<BodyDescription>& from) {
+std::optional<BodyDescription> taken(const BodyId& id, std::vector<BodyDescription>& from) {
   const auto body = std::find_if(from.begin(), from.end(), [&](const BodyDescription& each) { return each.id == id; });
   if (body == from.end()) return std::nullopt;
   BodyDescription found = std::move(*body);
@@ -121,7 +121,7 @@ Outcome place(const AssemblyItem& item, const Pose& X_WB, Scenario& scenario) {
   return Done{};
 }
 
-Outcome removeBody(const std::string& bodyId, Scenario& scenario) {
+Outcome removeBody(const BodyId& bodyId, Scenario& scenario) {
   if (!taken(bodyId, scenario.bodies)) return noSuchBody(bodyId);
   dropFitsOf(bodyId, scenario);
   dropJointsOf(bodyId, scenario);
@@ -130,7 +130,7 @@ Outcome removeBody(const std::string& bodyId, Scenario& scenario) {
   return Done{};
 }
 
-Outcome renameBody(const std::string& bodyId, const std::string& name, Scenario& scenario) {
+Outcome renameBody(const BodyId& bodyId, const std::string& name, Scenario& scenario) {
   if (name.empty() || name.find('/') != std::string::npos)
     return refusal(placeOf(bodyId), {GLISSADE_TEXT("cannot have the name '%1'"), {name}},
                    GLISSADE_TEXT("Give a name without '/'."));
@@ -145,7 +145,7 @@ Outcome renameBody(const std::string& bodyId, const std::string& name, Scenario&
   return noSuchBody(bodyId);
 }
 
-Outcome leaveOut(const std::string& bodyId, Scenario& scenario) {
+Outcome leaveOut(const BodyId& bodyId, Scenario& scenario) {
   for (const BodyDescription& moving : scenario.object.bodies) {
     if (moving.id == bodyId)
       return refusal(placeOf(bodyId), GLISSADE_TEXT("is the moving part"),
@@ -159,7 +159,7 @@ Outcome leaveOut(const std::string& bodyId, Scenario& scenario) {
   return Done{};
 }
 
-Outcome putBack(const std::string& bodyId, Scenario& scenario) {
+Outcome putBack(const BodyId& bodyId, Scenario& scenario) {
   auto body = taken(bodyId, scenario.leftOut);
   if (!body) return noSuchBody(bodyId);
   scenario.bodies.push_back(std::move(*body));
@@ -175,14 +175,14 @@ Outcome swapEnds(Scenario& scenario) {
   return Done{};
 }
 
-bool isObject(const std::vector<std::string>& bodyIds, const Scenario& scenario) {
+bool isObject(const std::vector<BodyId>& bodyIds, const Scenario& scenario) {
   const std::vector<BodyDescription>& bodies = scenario.object.bodies;
   return bodyIds.size() == bodies.size() && std::all_of(bodies.begin(), bodies.end(), [&](const BodyDescription& body) {
            return std::find(bodyIds.begin(), bodyIds.end(), body.id) != bodyIds.end();
          });
 }
 
-Outcome markMoving(const std::vector<std::string>& bodyIds, const LoadedScenario& loaded, Scenario& scenario) {
+Outcome markMoving(const std::vector<BodyId>& bodyIds, const LoadedScenario& loaded, Scenario& scenario) {
   if (bodyIds.empty())
     return refusal("", GLISSADE_TEXT("no body is selected"), GLISSADE_TEXT("Select the moving part."));
   if (isObject(bodyIds, scenario))
@@ -194,7 +194,7 @@ Outcome markMoving(const std::vector<std::string>& bodyIds, const LoadedScenario
   // The bodies that stop moving are inserted where the bodies that begin to move were.
   others.insert(first, before.begin(), before.end());
   std::vector<BodyDescription> moving;
-  for (const std::string& id : bodyIds) {
+  for (const BodyId& id : bodyIds) {
     auto body = taken(id, others);
     if (!body) return noSuchBody(id);
     moving.push_back(std::move(*body));

@@ -62,12 +62,12 @@ ComparedPlan comparePlan(const AssemblyPlan& plan, const AssembledProduct& befor
   const check::Product judged = judgedProduct(product);
   ComparedPlan compared;
   std::vector<bool> hasStep(product.bodies.size(), false);
-  for (const std::string& id : carried.plan.staying) hasStep[*product.indexOf(id)] = true;
+  for (const std::size_t body : product.indicesOf(carried.plan.staying)) hasStep[body] = true;
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     ComparedStep step{check::stepNumber(i, plan.steps.size())};
-    for (const std::string& id : plan.steps[i].bodies()) {
-      const auto body = before.indexOf(id);
-      step.bodies.push_back(body ? before.bodies[*body].shown() : id);
+    for (const BodyId& id : plan.steps[i].bodies()) {
+      const auto body = before.find(id);
+      step.bodies.push_back(body ? before.bodies[*body].shown() : id.text());
     }
     const auto kept = std::find(carried.from.begin(), carried.from.end(), i);
     if (kept == carried.from.end()) {
@@ -76,7 +76,7 @@ ComparedPlan comparePlan(const AssemblyPlan& plan, const AssembledProduct& befor
       const auto& found = verdict.steps[static_cast<std::size_t>(kept - carried.from.begin())];
       step.holds = found.valid();
       step.why = check::whyInvalid(found, judged);
-      for (const std::string& id : plan.steps[i].bodies()) hasStep[*product.indexOf(id)] = true;
+      for (const std::size_t body : product.indicesOf(plan.steps[i].bodies())) hasStep[body] = true;
     }
     compared.steps.push_back(std::move(step));
   }

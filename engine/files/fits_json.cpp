@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/fits/contact_report.h"
+#include "engine/model/body_id_json.h"
 
 namespace glissade {
 namespace {
@@ -57,16 +58,15 @@ void checkPairs(const FitSettings& fits, const JsonCursor& at) {
 template <class Archive>
 void describe(Archive& pair, Type<FitEdit> /*type*/) {
   pair.type("fit_edit");
-  pair.required("a", &FitEdit::a, kNonEmptyText,
-                "Id of the object or of a rigid body, as 'glissade-cli fits' names them.");
-  pair.required("b", &FitEdit::b, kNonEmptyText);
+  pair.required("a", &FitEdit::a, kBodyId, "Id of the object or of a rigid body, as 'glissade-cli fits' names them.");
+  pair.required("b", &FitEdit::b, kBodyId);
   pair.optional("kind", &FitEdit::kind, kFitKind, "A pair that is called a thread here comes apart by turning only.");
   pair.optional("allowance", &FitEdit::allowance, kLengthOrZero, "Metres; 0: clearance is required.");
   pair.optional("accepted", &FitEdit::accepted, kBoolean, "A person accepts the clash.");
   pair.optional("pitch_m", &FitEdit::pitch, kPitch,
                 "Only with kind thread: metres a turn; below 0: left-handed. Absent: the coarse pitch of ISO 261 for "
                 "its radius.");
-  pair.optional("turned", &FitEdit::turned, kText,
+  pair.optional("turned", &FitEdit::turned, BodyIdFormat{kText},
                 "Only with kind thread: id of the body that is turned while the other one is held. Absent: a nut that "
                 "nothing holds is turned; else either.");
   pair.check(checkPair);

@@ -12,34 +12,34 @@
 namespace glissade {
 namespace {
 
-bool isIn(const std::vector<std::string>& ids, const std::string& id) {
+bool isIn(const std::vector<BodyId>& ids, const BodyId& id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
 /// Checks that `ids` has either all rigid bodies of each body of the scenario, or none.
-Outcome checkWhole(const std::vector<std::string>& ids, const LoadedScenario& loaded) {
-  const std::set<std::string> named(ids.begin(), ids.end());
-  std::map<std::string, std::string> partOf;  // one of the given rigid bodies, by the scenario's body
-  for (const std::string& id : ids) partOf.try_emplace(bodyIdOf(id), id);
+Outcome checkWhole(const std::vector<BodyId>& ids, const LoadedScenario& loaded) {
+  const std::set<BodyId> named(ids.begin(), ids.end());
+  std::map<BodyId, BodyId> partOf;  // one of the given rigid bodies, by the scenario's body
+  for (const BodyId& id : ids) partOf.try_emplace(bodyIdOf(id), id);
   for (const RigidBody& each : rigidBodiesOf(loaded)) {
     const auto sister = partOf.find(bodyIdOf(each.id));
     if (sister == partOf.end() || named.count(each.id) > 0) continue;
     return Diagnostic{
         ErrorKind::Usage,
         loaded.file,
-        {GLISSADE_TEXT("body '%1'"), {sister->first}},
+        {GLISSADE_TEXT("body '%1'"), {sister->first.text()}},
         {GLISSADE_TEXT("is several parts in one body of the scenario, of which '%1' cannot be moved alone"),
-         {sister->second}},
+         {sister->second.text()}},
         GLISSADE_TEXT("Make a scenario that has each part as a body: New from parts does so with STEP files.")};
   }
   return Done{};
 }
 
 /// Ids of the scenario's bodies, without duplicates.
-std::vector<std::string> bodyIdsOf(const std::vector<std::string>& rigidIds) {
-  std::vector<std::string> ids;
-  for (const std::string& rigid : rigidIds) {
-    const std::string id = bodyIdOf(rigid);
+std::vector<BodyId> bodyIdsOf(const std::vector<BodyId>& rigidIds) {
+  std::vector<BodyId> ids;
+  for (const BodyId& rigid : rigidIds) {
+    const BodyId id = bodyIdOf(rigid);
     if (!isIn(ids, id)) ids.push_back(id);
   }
   return ids;
@@ -67,13 +67,13 @@ void turnAbout(const Vector3& point_W, const LoadedScenario& loaded, Scenario& s
 
 /// Marks the threads between moving and remaining bodies that the plan knows from joints, so that a run by hand
 /// unscrews them as the plan does: the moving body is turned, the other one is held.
-void markThreads(const std::vector<StepJoint>& joints, const std::vector<std::string>& moving,
-                 const std::vector<std::string>& gone, FitSettings& fits) {
+void markThreads(const std::vector<StepJoint>& joints, const std::vector<BodyId>& moving,
+                 const std::vector<BodyId>& gone, FitSettings& fits) {
   for (const StepJoint& joint : joints) {
     if (joint.pitch == 0.0 || joint.turns <= 0.0) continue;
     const bool bodyMoves = isIn(moving, joint.body);
-    for (const std::string& other : joint.others) {
-      const std::string& held = bodyMoves ? other : joint.body;
+    for (const BodyId& other : joint.others) {
+      const BodyId& held = bodyMoves ? other : joint.body;
       if (isIn(moving, other) == bodyMoves || isIn(gone, held)) continue;
       FitEdit& edit = editOf(joint.body, other, fits);
       if (edit.kind) continue;
@@ -86,8 +86,8 @@ void markThreads(const std::vector<StepJoint>& joints, const std::vector<std::st
 
 }  // namespace
 
-Outcome prepareHandRun(const std::vector<std::string>& moving, const std::vector<std::string>& gone,
-                       const LoadedScenario& loaded, const std::vector<StepJoint>& joints, Scenario& scenario) {
+Outcome prepareHandRun(const std::vector<BodyId>& moving, const std::vector<BodyId>& gone, const LoadedScenario& loaded,
+                       const std::vector<StepJoint>& joints, Scenario& scenario) {
   for (const auto& ids : {moving, gone}) {
     if (const Outcome whole = checkWhole(ids, loaded); !whole) return whole;
   }
@@ -95,7 +95,7 @@ Outcome prepareHandRun(const std::vector<std::string>& moving, const std::vector
   for (const RigidBody& body : rigidBodiesOf(loaded)) {
     if (isIn(moving, body.id)) bodies.push_back(body);
   }
-  const std::vector<std::string> chosen = bodyIdsOf(moving);
+  const std::vector<BodyId> chosen = bodyIdsOf(moving);
   if (!isObject(chosen, scenario)) {
     const Outcome marked = markMoving(chosen, loaded, scenario);
     if (!marked) return marked;
@@ -110,7 +110,7 @@ DemandedMotion motionOfRun(const std::vector<RigidBody>& bodies, const std::vect
                            const PathProvenance& provenance) {
   const bool byHand = provenance.steered || isSteered(path) || provenance.planner.empty();
   DemandedMotion motion{{}, {}, byHand ? kByHand : provenance.planner};
-  for (const RigidBody& body : bodies) motion.bodies.push_back(body.id);
+  for (const RigidBody& body : bodies) motion.bodies.push_back(body.id.text());
   // Pose in the assembled product.
   const Pose X_WA = bodies.size() == 1 ? bodies.front().X_WB : Pose::translation(middleOf(bodies));
   const Pose X_OA = inverse(path.front().q) * X_WA;

@@ -13,8 +13,8 @@ namespace glissade {
 /// groups of a product's bodies do. `loaded` is the same scenario, loaded. `joints`: joints of the step. The threads
 /// that the step unscrews are marked in the scenario, too, unless a person has set the kind of the pair. Errors, Usage:
 /// a body in `moving` or `gone` is one of several links or parts that the scenario holds as one body.
-Outcome prepareHandRun(const std::vector<std::string>& moving, const std::vector<std::string>& gone,
-                       const LoadedScenario& loaded, const std::vector<StepJoint>& joints, Scenario& scenario);
+Outcome prepareHandRun(const std::vector<BodyId>& moving, const std::vector<BodyId>& gone, const LoadedScenario& loaded,
+                       const std::vector<StepJoint>& joints, Scenario& scenario);
 
 /// The path of the object as the motion of these bodies of the product, which leave as one from the assembled product.
 /// The motion counts as made by hand where a person has steered a part of it, else as found by the planner. The first

@@ -4,6 +4,7 @@
 
 #include "engine/base/enum_names.h"
 #include "engine/geometry/pose_json.h"
+#include "engine/model/body_id_json.h"
 
 namespace glissade {
 namespace {
@@ -25,7 +26,7 @@ struct DirectionFormat : VectorFormat {
 
 /// The member "made" of a statement: the joint, and the ids of what it clamps.
 struct MadeJoint : Joint {
-  std::vector<std::string> ids{};
+  std::vector<BodyId> ids{};
 };
 
 Json idsJson(const std::vector<std::size_t>& bodies, const AssembledProduct& product) {
@@ -62,7 +63,7 @@ void describe(Archive& thread, Type<JointThread> /*type*/) {
 template <class Archive>
 void describe(Archive& made, Type<MadeJoint> /*type*/) {
   made.type("made_joint", "Only with the word confirmed: a joint that a person has made or changed.");
-  made.optional("clamped", &MadeJoint::ids, listOf(kNonEmptyText),
+  made.optional("clamped", &MadeJoint::ids, listOf(kBodyId),
                 "Ids of what a screw or a nut clamps, the nearest to the head first.");
   made.optional("point", &Joint::point, kVector, "On the axis, world frame.", Always());
   made.optional("direction", &Joint::direction, DirectionFormat(), "Direction in which the body leaves, world frame.",
@@ -78,10 +79,10 @@ template <class Archive>
 void describe(Archive& key, Type<JointKey> /*type*/) {
   key.type("joint_key");
   key.required("kind", &JointKey::kind, named(kJointKindNames));
-  key.required("body", &JointKey::body, kNonEmptyText,
+  key.required("body", &JointKey::body, kBodyId,
                "Id of the screw, the nut, one of two bodies that are screwed together, the guest of an insert, the "
                "pin, the body with the hook, the flexible body, or the first body of a unit or a permanent joint.");
-  key.optional("others", &JointKey::others, listOf(kNonEmptyText),
+  key.optional("others", &JointKey::others, listOf(kBodyId),
                "Ids of the bodies that it is in, on or around, or of the other bodies of a unit or a permanent joint.");
 }
 

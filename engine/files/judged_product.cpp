@@ -95,7 +95,7 @@ check::JointWords jointWordsOf(const std::vector<JointEdit>& edits) {
       case JointKind::Unit: break;
       default:
         if (!isConfirmed || !edit.made || !edit.made->thread) break;
-        for (const std::string& other : edit.key.others) {
+        for (const BodyId& other : edit.key.others) {
           words.pitches.push_back({edit.key.body, other, edit.made->thread->pitch});
         }
     }

@@ -17,7 +17,7 @@ KeptPathProof proofOf(PathExamination examination, const LoadedScenario& scenari
   if (!examination.blocked.empty()) {
     const int body = examination.blocked.front().nearest.body;
     proof.state = KeptPathState::Blocked;
-    proof.blockedBy = body < 0 ? std::string() : scenario.obstacles[static_cast<std::size_t>(body)].id;
+    proof.blockedBy = body < 0 ? BodyId() : scenario.obstacles[static_cast<std::size_t>(body)].id;
     return proof;
   }
   proof.state = examination.holds() ? KeptPathState::Holds : KeptPathState::OtherEnds;

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "engine/geometry/pose_json.h"
+#include "engine/model/body_id_json.h"
 
 namespace glissade {
 namespace {
@@ -44,7 +45,7 @@ void describe(Archive& point, Type<KeptPoint> /*type*/) {
 template <class Archive>
 void describe(Archive& allowance, Type<KeptAllowance> /*type*/) {
   allowance.type("kept_allowance");
-  allowance.required("body", &Allowance::body, kNonEmptyText, "Id of the obstacle.");
+  allowance.required("body", &Allowance::body, kBodyId, "Id of the obstacle.");
   allowance.required("allowance", &Allowance::allowance, kLength, "Metres.");
   allowance.optional("yields", &Allowance::yields, kBoolean, "The obstacle was taken thinner, not the object.");
   allowance.optional("hollow", &Allowance::hollow, kBoolean,

@@ -18,7 +18,7 @@ enum class KeptPathState {
 struct KeptPathProof {
   KeptPathState state = KeptPathState::Unknown;
   std::shared_ptr<const Path> path;  ///< the path with its certificate; null unless it is free
-  std::string blockedBy;             ///< id of the first blocking body; empty where no body is near
+  BodyId blockedBy;                  ///< id of the first blocking body; empty where no body is near
 };
 
 /// Certifies a kept path in the scenario, with the required clearance stored in it and with the forbidden places of the

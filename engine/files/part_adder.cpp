@@ -71,11 +71,11 @@ void PartAdder::noteNodes() {
   }
   for (const NodeDescription& node : scenario_.nodes) ids_.insert(node.id);
   for (const BodyDescription* body : allBodiesOf(scenario_)) {
-    ids_.insert(body->id);
+    ids_.insert(body->id.text());
     const auto* step = std::get_if<StepGeometry>(&body->geometry);
     if (step == nullptr) continue;
     std::vector<std::string> steps = stepsOf(step->part);
-    auto node = product.nodes()[*product.find(body->id)].parent;
+    auto node = product.nodes()[*product.find(body->id.text())].parent;
     while (steps.size() > 1 && node) {
       steps.pop_back();
       assemblies_.emplace(std::pair(step->asset, pathOf(steps)), product.nodes()[*node].id);
@@ -118,7 +118,7 @@ void PartAdder::notePlace(const PartFile& part, const BodyDescription& body) {
   const auto* step = std::get_if<StepGeometry>(&body.geometry);
   const std::vector<std::string> path = stepsOf(part.part);
   if (step == nullptr || path.empty()) return;
-  NodeDescription node{body.id};
+  NodeDescription node{body.id.text()};
   const std::string assembly = assemblyOf(part, step->asset, path.size() - 1);
   if (assembly != pathOf({path.begin(), path.end() - 1})) node.in = assembly;
   const std::string name = nameInFile(part, path);
@@ -136,11 +136,11 @@ void PartAdder::addNode(const NodeDescription& node) {
 
 BodyDescription PartAdder::bodyOf(const PartFile& part) {
   BodyDescription body;
-  body.id = uniqueId(idOf(part), ids_);
-  body.name = part.part.empty() ? body.id : part.part;
+  body.id = BodyId(uniqueId(idOf(part), ids_));
+  body.name = part.part.empty() ? body.id.text() : part.part;
   body.mobility = part.role == PartRole::Mobile ? Mobility::Mobile : Mobility::Static;
   body.geometry = geometryOf(part);
-  ids_.insert(body.id);
+  ids_.insert(body.id.text());
   notePlace(part, body);
   return body;
 }
@@ -154,9 +154,9 @@ void PartAdder::addToObject(const PartFile& part) {
     return;
   }
   hasObject_ = true;
-  for (const BodyDescription& before : bodies) ids_.erase(before.id);
-  bodies.assign(1, {idOf(part), nameOf(part), Mobility::Static, geometryOf(part)});
-  ids_.insert(bodies.front().id);
+  for (const BodyDescription& before : bodies) ids_.erase(before.id.text());
+  bodies.assign(1, {BodyId(idOf(part)), nameOf(part), Mobility::Static, geometryOf(part)});
+  ids_.insert(bodies.front().id.text());
   notePlace(part, bodies.front());
 }
 

@@ -28,7 +28,7 @@ std::string sevenColumns(const Pose& q, char separator) {
 }
 
 BodyNames idsOf(const LoadedScenario& scenario) {
-  return [&scenario](int body) { return scenario.obstacles[static_cast<std::size_t>(body)].id; };
+  return [&scenario](int body) { return scenario.obstacles[static_cast<std::size_t>(body)].id.text(); };
 }
 
 }  // namespace

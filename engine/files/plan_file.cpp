@@ -52,13 +52,12 @@ bool isPlanFile(const std::string& file) {
   return document && document->is_object() && document->value("format", Json()) == kPlanFormat;
 }
 
-Outcome checkSameBodies(const AssemblyPlan& plan, const std::vector<std::string>& bodies, const std::string& file) {
-  if (plan.bodies == bodies) return Done{};
-  const auto missing = std::find_if(plan.bodies.begin(), plan.bodies.end(), [&](const std::string& id) {
-    return std::find(bodies.begin(), bodies.end(), id) == bodies.end();
-  });
+Outcome checkSameBodies(const AssemblyPlan& plan, const AssembledProduct& product, const std::string& file) {
+  if (plan.bodies == idsOf(product.bodies)) return Done{};
+  const auto missing =
+      std::find_if(plan.bodies.begin(), plan.bodies.end(), [&](const BodyId& id) { return !product.find(id); });
   const Message reason = missing != plan.bodies.end()
-                             ? Message(GLISSADE_TEXT("is about a product that has '%1'"), {*missing})
+                             ? Message(GLISSADE_TEXT("is about a product that has '%1'"), {missing->text()})
                              : Message(GLISSADE_TEXT("is about a product with other bodies"));
   return Diagnostic{ErrorKind::MalformedInput, file, "/bodies", reason,
                     GLISSADE_TEXT("Give the product that was planned.")};

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "engine/base/result.h"
+#include "engine/fits/assembled_product.h"
 #include "engine/sequence/assembly_plan.h"
 
 namespace glissade {
@@ -27,6 +28,6 @@ Result<AssemblyPlan> readPlan(const std::string& file);
 bool isPlanFile(const std::string& file);
 
 /// Checks that the bodies of the plan are those of the product. Errors: MalformedInput.
-Outcome checkSameBodies(const AssemblyPlan& plan, const std::vector<std::string>& bodies, const std::string& file);
+Outcome checkSameBodies(const AssemblyPlan& plan, const AssembledProduct& product, const std::string& file);
 
 }  // namespace glissade

@@ -15,6 +15,7 @@
 #include "engine/fits/contact_report.h"
 #include "engine/geometry/pose_json.h"
 #include "engine/import/json_checksum.h"
+#include "engine/model/body_id_json.h"
 #include "engine/sequence/subassembly_lines.h"
 
 namespace glissade {
@@ -28,7 +29,7 @@ constexpr EnumNames<ToolAccess, 3> kAccessNames{{"not_asked", "free", "blocked"}
 /// Status of a certificate. A flexible body leaves without a proof.
 constexpr EnumNames<bool, 2> kStatusNames{{"not_certified", "certified"}};
 
-constexpr auto kIds = listOf(kNonEmptyText);
+constexpr auto kIds = listOf(kBodyId);
 
 constexpr FunctionFormat kEffort{[](const JsonCursor& at) {
                                    const std::uint64_t effort = at.wholeNumber();
@@ -47,8 +48,8 @@ constexpr FunctionFormat kClearance{[](const JsonCursor& at) {
 
 /// Id of a body, or null: none.
 constexpr FunctionFormat kIdOrNull{
-    [](const JsonCursor& at) { return at.json().is_null() ? std::string() : kNonEmptyText.read(at); },
-    [](const std::string& id) { return id.empty() ? Json(nullptr) : Json(id); },
+    [](const JsonCursor& at) { return at.json().is_null() ? BodyId() : kBodyId.read(at); },
+    [](const BodyId& id) { return id.empty() ? Json(nullptr) : Json(id); },
     R"({"type": ["string", "null"], "minLength": 1})"};
 
 /// A message as data; an empty message where the data is no message.
@@ -106,7 +107,7 @@ constexpr Accessor kCertificate{[](const AssemblyStep& step) {
                                 }};
 
 constexpr Accessor kBodies{[](const AssemblyStep& step) { return step.bodies(); },
-                           [](AssemblyStep& step, std::vector<std::string> ids) {
+                           [](AssemblyStep& step, std::vector<BodyId> ids) {
                              if (ids.empty()) return;
                              step.body = ids.front();
                              step.with.assign(ids.begin() + 1, ids.end());
@@ -167,12 +168,12 @@ void describe(Archive& thread, Type<evidence::StatedThread> /*type*/) {
 template <class Archive>
 void describe(Archive& allowance, Type<Allowance> /*type*/) {
   allowance.type("allowance");
-  allowance.required("body", &Allowance::body, kNonEmptyText);
+  allowance.required("body", &Allowance::body, kBodyId);
   allowance.required("kind", &Allowance::kind, named(kContactKindNames));
   allowance.required("overlap_m", &Allowance::overlap, kLengthOrZero);
   allowance.required("allowance_m", &Allowance::allowance, kLengthOrZero);
   allowance.required("text", &Allowance::text, kEnglish);
-  allowance.optional("moving", &Allowance::moving, kNonEmptyText,
+  allowance.optional("moving", &Allowance::moving, kBodyId,
                      "The body of the step that has the fit. Absent: the first one.");
   allowance.optional("yields", &Allowance::yields, kBoolean, "The other body is taken thinner, not the moving one.");
   allowance.optional("hollow", &Allowance::hollow, kBoolean,
@@ -199,7 +200,7 @@ void describe(Archive& tool, Type<StepTool> /*type*/) {
   tool.required("kind", &StepTool::kind, named(kToolNames));
   tool.required("access", &StepTool::access, named(kAccessNames));
   tool.optional("blocked_by", &StepTool::blockedBy, kIds);
-  tool.optional("turned", &StepTool::turned, kNonEmptyText,
+  tool.optional("turned", &StepTool::turned, kBodyId,
                 "Id of the bolt that the tool turns while the nut of the step is held. Absent: it turns the fastener.");
 }
 
@@ -217,7 +218,7 @@ template <class Archive>
 void describe(Archive& joint, Type<StepJoint> /*type*/) {
   joint.type("step_joint");
   joint.required("kind", &StepJoint::kind, named(kJointKindNames));
-  joint.required("body", &StepJoint::body, kNonEmptyText, "The screw, the nut, the pin, the flexible body.");
+  joint.required("body", &StepJoint::body, kBodyId, "The screw, the nut, the pin, the flexible body.");
   joint.required("others", &StepJoint::others, kIds,
                  "The bodies that the thread is in or on, that a pin is in, that a flexible body goes around.");
   joint.optional("clamped", &StepJoint::clamped, kIds,
@@ -236,7 +237,7 @@ void describe(Archive& joint, Type<StepJoint> /*type*/) {
 template <class Archive>
 void describe(Archive& step, Type<AssemblyStep> /*type*/) {
   step.type("step");
-  step.required("bodies", kBodies, listOf(kNonEmptyText, 1), "The bodies that leave, several as one rigid body.");
+  step.required("bodies", kBodies, listOf(kBodyId, 1), "The bodies that leave, several as one rigid body.");
   step.required("method", &AssemblyStep::method, kText,
                 "straight, turned (out of a thread), by hand, flexible (not proved), or auto and the member that found "
                 "the motion.");
@@ -269,7 +270,7 @@ void describe(Archive& step, Type<AssemblyStep> /*type*/) {
 template <class Archive>
 void describe(Archive& stuck, Type<StuckBody> /*type*/) {
   stuck.type("stuck");
-  stuck.required("part", &StuckBody::body, kNonEmptyText);
+  stuck.required("part", &StuckBody::body, kBodyId);
   stuck.required("blocked_by", &StuckBody::blockedBy, kIds);
   stuck.optional("reason", &StuckBody::reason, kEnglish, "The reason for people, in English.", Always());
   stuck.optional("reason_message", kReasonAsData, MessageFormat(),
@@ -297,7 +298,7 @@ void describe(Archive& refusal, Type<RefusedRemoval> /*type*/) {
   refusal.type("refusal",
                "A search that need not be repeated with this effort (0: straight lines) while all of these bodies are "
                "there.");
-  refusal.required("part", &RefusedRemoval::body, kNonEmptyText);
+  refusal.required("part", &RefusedRemoval::body, kBodyId);
   refusal.required("effort", &RefusedRemoval::effort, kEffort);
   refusal.required("after_steps", &RefusedRemoval::afterSteps, kCount);
   refusal.required("blocked_by", &RefusedRemoval::blockedBy, kIds);
@@ -343,7 +344,7 @@ namespace {
 /// earlier steps. Completes `after` of steps that do not state it.
 class PlanCheck {
  public:
-  PlanCheck(const std::vector<std::string>& bodies, const std::vector<std::string>& staying, const JsonCursor& at) {
+  PlanCheck(const std::vector<BodyId>& bodies, const std::vector<BodyId>& staying, const JsonCursor& at) {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       if (!known_.insert(bodies[i]).second) at.at("bodies").element(i).fail(GLISSADE_TEXT("is there twice"));
     }
@@ -356,7 +357,7 @@ class PlanCheck {
   void checkSteps(std::vector<AssemblyStep>& steps, const JsonCursor& at) {
     for (std::size_t i = 0; i < steps.size(); ++i) {
       checkStep(steps[i], at.element(i));
-      for (const std::string& id : steps[i].bodies()) gone_.insert(id);
+      for (const BodyId& id : steps[i].bodies()) gone_.insert(id);
       ++steps_;
     }
   }
@@ -399,10 +400,10 @@ class PlanCheck {
   }
 
  private:
-  void expectKnown(const std::string& id, const JsonCursor& at) const {
+  void expectKnown(const BodyId& id, const JsonCursor& at) const {
     if (known_.count(id) == 0) at.fail(GLISSADE_TEXT("is none of the plan's bodies"));
   }
-  void expectKnown(const std::vector<std::string>& ids, const JsonCursor& at) const {
+  void expectKnown(const std::vector<BodyId>& ids, const JsonCursor& at) const {
     for (std::size_t i = 0; i < ids.size(); ++i) expectKnown(ids[i], at.element(i));
   }
   /// `after`: a number of preceding steps, at most the number of steps so far.
@@ -433,9 +434,9 @@ class PlanCheck {
   }
 
   void checkBodies(const AssemblyStep& step, const JsonCursor& at) const {
-    const std::vector<std::string> ids = step.bodies();
+    const std::vector<BodyId> ids = step.bodies();
     expectKnown(ids, at);
-    std::set<std::string> gone = gone_;
+    std::set<BodyId> gone = gone_;
     for (std::size_t i = 0; i < ids.size(); ++i) {
       if (!gone.insert(ids[i]).second) at.element(i).fail(GLISSADE_TEXT("is fixed as base, or was removed before"));
     }
@@ -455,8 +456,8 @@ class PlanCheck {
     if (const auto clamped = at.find("clamped")) expectKnown(joint.clamped, *clamped);
   }
 
-  std::set<std::string> known_;
-  std::set<std::string> gone_;
+  std::set<BodyId> known_;
+  std::set<BodyId> gone_;
   std::size_t steps_ = 0;  ///< number of steps that are checked
 };
 

@@ -45,8 +45,8 @@ Result<ProductFile> productOfParts(const std::string& file, const StopToken& sto
   std::vector<ProductBody> bodies;
   for (const Occurrence& solid : *parts) {
     const std::string name = solid.path.empty() ? file : solid.path;
-    bodies.push_back({name, {solid.path.empty() ? lastStepOf(file) : solid.path, solid.names, solid.unit}});
-    loaded.product.bodies.push_back({name, name, Mobility::Mobile, solid.mesh, solid.X_FP});
+    bodies.push_back({BodyId(name), {solid.path.empty() ? lastStepOf(file) : solid.path, solid.names, solid.unit}});
+    loaded.product.bodies.push_back({BodyId(name), name, Mobility::Mobile, solid.mesh, solid.X_FP});
     if (solid.colour) loaded.product.bodies.back().colour = *solid.colour;
     loaded.product.deflections.push_back(solid.deflection);
     loaded.product.spacings.push_back(solid.coordinateSpacing);
@@ -116,16 +116,14 @@ Diagnostic isLeftOut(const std::string& name) {
 Outcome leaveOut(const std::vector<std::string>& names, ProductFile& loaded) {
   if (names.empty()) return Done{};
   AssembledProduct& product = loaded.product;
-  std::vector<std::string> ids;
-  for (const RigidBody& body : product.bodies) ids.push_back(body.id);
-  const auto meant = bodiesMeant(ids, names, "--without", product.tree);
+  const auto meant = bodiesMeant(idsOf(product.bodies), names, "--without", product.tree);
   if (!meant) return meant.error();
   AssembledProduct rest;
   std::vector<std::string> classes;
   rest.fits = product.fits;
   rest.tree = product.tree;
-  const auto goes = [&](const std::string& id) {
-    const auto index = product.indexOf(id);
+  const auto goes = [&](const BodyId& id) {
+    const auto index = product.find(id);
     return index && (*meant)[*index];
   };
   std::erase_if(rest.fits.pairs, [&](const FitEdit& edit) { return goes(edit.a) || goes(edit.b); });
@@ -133,7 +131,7 @@ Outcome leaveOut(const std::vector<std::string>& names, ProductFile& loaded) {
     return goes(edit.key.body) || std::any_of(edit.key.others.begin(), edit.key.others.end(), goes);
   });
   for (JointEdit& edit : loaded.joints) std::erase_if(edit.clamped, goes);
-  for (std::size_t i = 0; i < ids.size(); ++i) {
+  for (std::size_t i = 0; i < meant->size(); ++i) {
     if ((*meant)[i]) {
       loaded.warnings.push_back(isLeftOut(product.bodies[i].shown()));
       continue;

@@ -28,7 +28,7 @@ std::optional<std::string> rootName(const Product& tree) {
 bool isNameOfAPart(const std::string& name, const Scenario& scenario) {
   const auto bodies = allBodiesOf(scenario);
   return std::any_of(bodies.begin(), bodies.end(), [&](const BodyDescription* body) {
-    return body->id == name || body->name == name || lastStepOf(body->name) == name;
+    return body->id.text() == name || body->name == name || lastStepOf(body->name) == name;
   });
 }
 

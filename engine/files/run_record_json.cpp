@@ -15,7 +15,6 @@ namespace {
 using Json = JsonCursor::Json;
 
 constexpr const char* kRecordFormat = "glissade-run";
-constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();  // the size of the file is limited
 
 std::string toHex(std::uint64_t value) {
   constexpr const char* kDigits = "0123456789abcdef";

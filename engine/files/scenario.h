@@ -13,6 +13,7 @@
 #include "engine/fits/joint.h"
 #include "engine/fits/object_fits.h"
 #include "engine/import/asset.h"
+#include "engine/model/body_id.h"
 #include "engine/model/product.h"
 #include "engine/places/forbidden_places.h"
 #include "engine/places/rigid_body.h"
@@ -25,7 +26,7 @@ namespace glissade {
 
 /// A body of the product in the file.
 struct BodyDescription {
-  std::string id;
+  BodyId id;
   std::string name{};
   Mobility mobility = Mobility::Static;
   Geometry geometry{};
@@ -101,10 +102,10 @@ struct LoadedScenario {
   /// Shapes in the files that are no bodies. Certificates do not include them.
   MissingShapes missing;
   /// Approximate distance of the meshes of STEP parts from their surfaces, metres, by rigid body's id.
-  std::map<std::string, double> deflections;
+  std::map<BodyId, double> deflections;
   /// Largest error of mesh coordinates against the files, metres, by rigid body's id. Sources are 32-bit numbers and
   /// edges closed at T-junctions.
-  std::map<std::string, double> coordinateSpacings;
+  std::map<BodyId, double> coordinateSpacings;
   ObjectFits fits;                 ///< empty where the scenario's fits are off
   bool fitsPending = false;        ///< fits are on and not found yet, so that the object is not thinned
   std::map<MeshPtr, bool> closed;  ///< states whether a mesh of the bodies or the object is a closed surface

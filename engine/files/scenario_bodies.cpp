@@ -41,21 +41,21 @@ std::vector<std::string> nodeIdsOf(const Scenario& scenario) {
 
 std::string idOf(const ObjectDescription& object) {
   std::string id;
-  for (const BodyDescription& body : object.bodies) id += (id.empty() ? "" : "+") + body.id;
+  for (const BodyDescription& body : object.bodies) id += (id.empty() ? "" : "+") + body.id.text();
   return id;
 }
 
-bool isInObject(const LoadedScenario& loaded, const std::string& rigidId) {
+bool isInObject(const LoadedScenario& loaded, const BodyId& rigidId) {
   return std::any_of(loaded.objectBodies.begin(), loaded.objectBodies.end(),
                      [&](const RigidBody& body) { return body.id == rigidId; });
 }
 
-double valueOf(const std::map<std::string, double>& values, const std::string& id) {
+double valueOf(const std::map<BodyId, double>& values, const BodyId& id) {
   const auto known = values.find(id);
   return known == values.end() ? 0.0 : known->second;
 }
 
-double largestOf(const std::map<std::string, double>& values, const std::vector<RigidBody>& bodies) {
+double largestOf(const std::map<BodyId, double>& values, const std::vector<RigidBody>& bodies) {
   double largest = 0.0;
   for (const RigidBody& body : bodies) largest = std::max(largest, valueOf(values, body.id));
   return largest;

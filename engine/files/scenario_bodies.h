@@ -23,12 +23,12 @@ std::vector<std::string> nodeIdsOf(const Scenario& scenario);
 std::string idOf(const ObjectDescription& object);
 
 /// True if a body of the object has this id.
-bool isInObject(const LoadedScenario& loaded, const std::string& rigidId);
+bool isInObject(const LoadedScenario& loaded, const BodyId& rigidId);
 
 /// The value for a rigid body, by its id; 0 where there is none.
-double valueOf(const std::map<std::string, double>& values, const std::string& id);
+double valueOf(const std::map<BodyId, double>& values, const BodyId& id);
 /// The largest value of these bodies.
-double largestOf(const std::map<std::string, double>& values, const std::vector<RigidBody>& bodies);
+double largestOf(const std::map<BodyId, double>& values, const std::vector<RigidBody>& bodies);
 
 /// The rigid bodies of the product: those of the obstacles in their order, then those of the object at its start.
 std::vector<RigidBody> rigidBodiesOf(const LoadedScenario& loaded);

@@ -28,23 +28,23 @@ void add(const FitEdit& said, GroupWord& word) {
   word.accepted += said.accepted ? 1 : 0;
 }
 
-FitSettings fitsOfGroup(const FitSettings& fits, const std::vector<RigidBody>& group, const std::string& groupId) {
-  const auto isInGroup = [&group](const std::string& id) {
+FitSettings fitsOfGroup(const FitSettings& fits, const std::vector<RigidBody>& group, const BodyId& groupId) {
+  const auto isInGroup = [&group](const BodyId& id) {
     return std::any_of(group.begin(), group.end(), [&id](const RigidBody& body) { return body.id == id; });
   };
   FitSettings ofGroup = fits;
   ofGroup.pairs.clear();
   const evidence::FitWords said = wordsOf(fits);
   if (std::any_of(group.begin(), group.end(), [&](const RigidBody& body) { return said.isCut(body.id); }))
-    ofGroup.cut.push_back(groupId);
-  std::map<std::string, GroupWord> words;  // statements by the other body
+    ofGroup.cut.push_back(groupId.text());
+  std::map<BodyId, GroupWord> words;  // statements by the other body
   for (const FitEdit& edit : fits.pairs) {
     const bool a = isInGroup(edit.a);
     if (a == isInGroup(edit.b)) {
       if (!a) ofGroup.pairs.push_back(edit);
       continue;
     }
-    const std::string& other = a ? edit.b : edit.a;
+    const BodyId& other = a ? edit.b : edit.a;
     GroupWord& word = words[other];
     word.edit.a = groupId;
     word.edit.b = other;

@@ -14,6 +14,7 @@
 #include "engine/files/sequence_json.h"
 #include "engine/geometry/pose_json.h"
 #include "engine/import/json_checksum.h"
+#include "engine/model/body_id_json.h"
 
 namespace glissade {
 namespace {
@@ -36,6 +37,8 @@ constexpr FunctionFormat kId{[](const JsonCursor& at) {
                                return id;
                              },
                              kAsItIs, R"({"type": "string", "pattern": "^[^/]+$"})"};
+
+constexpr FunctionFormat kIdOfBody{[](const JsonCursor& at) { return BodyId(kId.read(at)); }, kAsItIs, kId.text};
 
 constexpr GetterFormat<std::string> kPath{&JsonCursor::exactText, R"({"type": "string", "pattern": "^[^\\\\]+$"})"};
 constexpr GetterFormat<std::string> kSha256{&JsonCursor::text, R"({"type": "string", "pattern": "^[0-9a-f]{64}$"})"};
@@ -137,7 +140,7 @@ class IdCheck {
  public:
   void asset(const Asset& asset, const JsonCursor& at) { add(assets_, asset.id, at); }
   void body(const BodyDescription& body, const JsonCursor& at) {
-    add(bodies_, body.id, at);
+    add(bodies_, body.id.text(), at);
     const JsonCursor shape = at.at("geometry");
     std::visit(Overloaded{[&](const MeshGeometry& mesh) { expectAsset(mesh.asset, shape.at("mesh")); },
                           [&](const UrdfGeometry& urdf) { expectAsset(urdf.asset, shape.at("urdf")); },
@@ -293,8 +296,8 @@ Json GeometryFormat::schema(SchemaDefinitions& definitions) const {
 template <class Archive>
 void describe(Archive& body, Type<BodyDescription> /*type*/) {
   body.type("body");
-  body.required("id", &BodyDescription::id, kId);
-  body.check([](BodyDescription& read, const JsonCursor& /*at*/) { read.name = read.id; });
+  body.required("id", &BodyDescription::id, kIdOfBody);
+  body.check([](BodyDescription& read, const JsonCursor& /*at*/) { read.name = read.id.text(); });
   body.optional("name", &BodyDescription::name, kText, "", Always());
   body.optional("mobility", &BodyDescription::mobility, named(kMobilityNames), "", Always());
   body.required("geometry", &BodyDescription::geometry, GeometryFormat());
@@ -306,8 +309,8 @@ void describe(Archive& body, Type<BodyDescription> /*type*/) {
 template <class Archive>
 void describe(Archive& object, Type<ObjectDescription> /*type*/) {
   object.type("object");
-  object.required("id", ofFirst(&BodyDescription::id), kId);
-  object.check([](ObjectDescription& read, const JsonCursor& /*at*/) { read.first().name = read.first().id; });
+  object.required("id", ofFirst(&BodyDescription::id), kIdOfBody);
+  object.check([](ObjectDescription& read, const JsonCursor& /*at*/) { read.first().name = read.first().id.text(); });
   object.optional("name", ofFirst(&BodyDescription::name), kText, "", Always());
   object.optional("mobility", ofFirst(&BodyDescription::mobility), named(kMobilityNames),
                   "Mobility of the body where it does not move as the object.");

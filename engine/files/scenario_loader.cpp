@@ -109,7 +109,7 @@ bool isSameMesh(const TriangleMesh& a, const TriangleMesh& b) {
 
 /// The mobility of a body. An edit for the body or its assembly overrides the body's own.
 Mobility mobilityOf(const BodyDescription& description, const SemanticEdits& held) {
-  const auto body = held.bodies.find(description.id);
+  const auto body = held.bodies.find(description.id.text());
   if (body == held.bodies.end()) return description.mobility;
   const auto edited = body->second.find("mobility");
   if (edited == body->second.end()) return description.mobility;
@@ -117,23 +117,23 @@ Mobility mobilityOf(const BodyDescription& description, const SemanticEdits& hel
 }
 
 /// Updates the largest value of a body; zero is not stored.
-void noteLargest(double value, const std::string& bodyId, std::map<std::string, double>& values) {
+void noteLargest(double value, const BodyId& bodyId, std::map<BodyId, double>& values) {
   if (value == 0.0) return;
   double& largest = values[bodyId];
   largest = std::max(largest, value);
 }
 
 /// Notes the uncertainties of the geometry. `merged`: all parts are one rigid body.
-void noteUncertainties(const LoadedGeometry& geometry, const std::string& bodyId, bool merged, LoadedScenario& loaded) {
+void noteUncertainties(const LoadedGeometry& geometry, const BodyId& bodyId, bool merged, LoadedScenario& loaded) {
   for (const Occurrence& part : geometry.parts) {
-    const std::string id = merged ? bodyId : partId(bodyId, part);
+    const BodyId id = merged ? bodyId : partId(bodyId, part);
     noteLargest(part.deflection, id, loaded.deflections);
     noteLargest(part.coordinateSpacing, id, loaded.coordinateSpacings);
   }
 }
 
 /// The largest value of the object plus the largest value of an obstacle.
-double largestOfBoth(const std::map<std::string, double>& values, const LoadedScenario& loaded) {
+double largestOfBoth(const std::map<BodyId, double>& values, const LoadedScenario& loaded) {
   double object = 0.0;
   double obstacle = 0.0;
   for (const auto& [id, value] : values) {

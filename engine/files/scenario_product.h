@@ -6,7 +6,7 @@
 namespace glissade {
 
 /// Geometries of bodies, by their ids.
-using BodyGeometry = std::map<std::string, LoadedGeometryPtr>;
+using BodyGeometry = std::map<BodyId, LoadedGeometryPtr>;
 
 /// The product of a scenario: its bodies in the order of allBodiesOf(), in the assemblies that their names and the
 /// scenario give. The parts of a body with several parts are below it where its geometry is given.

@@ -190,7 +190,7 @@ void checkSemantics(const Scenario& scenario, const JsonCursor& root) {
     const std::string at = toString(why.location);
     // Places in the file name a body by its index.
     for (std::size_t i = 0; i < scenario.bodies.size(); ++i) {
-      const std::string byId = "/bodies/" + scenario.bodies[i].id + "/attributes/";
+      const std::string byId = "/bodies/" + scenario.bodies[i].id.text() + "/attributes/";
       if (at.rfind(byId, 0) == 0) {
         why.location = "/bodies/" + std::to_string(i) + "/attributes/" + at.substr(byId.size());
       }
@@ -198,8 +198,8 @@ void checkSemantics(const Scenario& scenario, const JsonCursor& root) {
     for (const auto& [id, attributes] : scenario.sequence.attributes) {
       const std::string byPart = "/bodies/" + id + "/attributes/";
       if (at.rfind(byPart, 0) != 0) continue;
-      why.location =
-          "/sequence/attributes/" + bodyIdOf(id) + "~1" + pathWithin(id, bodyIdOf(id)) + "/" + at.substr(byPart.size());
+      why.location = "/sequence/attributes/" + firstStepOf(id) + "~1" + pathWithin(id, firstStepOf(id)) + "/" +
+                     at.substr(byPart.size());
     }
     for (std::size_t i = 0; i < scenario.nodes.size(); ++i) {
       const std::string byNode = "/bodies/" + scenario.nodes[i].id + "/attributes/";
@@ -207,7 +207,7 @@ void checkSemantics(const Scenario& scenario, const JsonCursor& root) {
       why.location = "/product/" + std::to_string(i) + "/attributes/" + at.substr(byNode.size());
     }
     for (std::size_t i = 0; i < scenario.object.bodies.size(); ++i) {
-      const std::string byId = "/bodies/" + scenario.object.bodies[i].id + "/attributes/";
+      const std::string byId = "/bodies/" + scenario.object.bodies[i].id.text() + "/attributes/";
       if (at.rfind(byId, 0) != 0) continue;
       const std::string place = i == 0 ? "/object" : "/object/with/" + std::to_string(i - 1);
       why.location = place + "/attributes/" + at.substr(byId.size());
@@ -231,14 +231,14 @@ NodeDescription& descriptionOf(const std::string& id, Scenario& scenario) {
 }
 
 /// True if the id is that of a part of a body. Attributes of parts are stored in the section about the sequence.
-bool isPart(const std::string& id) { return bodyIdOf(id) != id; }
+bool isPart(const std::string& id) { return firstStepOf(id) != id; }
 
 }  // namespace
 
 SemanticEdits semanticEditsOf(const Scenario& scenario) {
   SemanticEdits edits{scenario.attributeDefinitions, scenario.places, {}, scenario.milestones};
   for (const BodyDescription* body : presentBodiesOf(scenario)) {
-    if (!body->attributes.empty()) edits.bodies[body->id] = body->attributes;
+    if (!body->attributes.empty()) edits.bodies[body->id.text()] = body->attributes;
   }
   for (const NodeDescription& node : scenario.nodes) {
     if (!node.attributes.empty()) edits.bodies[node.id] = node.attributes;
@@ -257,8 +257,8 @@ void setSemanticEdits(const SemanticEdits& edits, Scenario& scenario) {
     const auto found = edits.bodies.find(id);
     return found == edits.bodies.end() ? Attributes{} : found->second;
   };
-  for (BodyDescription& body : scenario.bodies) body.attributes = attributesOf(body.id);
-  for (BodyDescription& body : scenario.object.bodies) body.attributes = attributesOf(body.id);
+  for (BodyDescription& body : scenario.bodies) body.attributes = attributesOf(body.id.text());
+  for (BodyDescription& body : scenario.object.bodies) body.attributes = attributesOf(body.id.text());
   for (NodeDescription& node : scenario.nodes) node.attributes.clear();
   const Product product = treeOf(scenario);
   auto& ofParts = scenario.sequence.attributes;

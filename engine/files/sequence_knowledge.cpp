@@ -48,7 +48,8 @@ void addTogether(std::vector<std::string> names, std::vector<std::vector<std::st
   groups.push_back(std::move(names));
 }
 
-void addBody(const std::string& id, const Attributes& attributes, SequenceDemands& demands) {
+void addBody(const BodyId& body, const Attributes& attributes, SequenceDemands& demands) {
+  const std::string& id = body.text();
   const auto isTrue = [&](const char* name) { return valueIn<bool>(attributes, name).value_or(false); };
   if (isTrue("base") || isTrue("stays")) demands.stay.push_back(id);
   if (isTrue("fragile")) demands.fragile.push_back(id);
@@ -65,10 +66,10 @@ void addBody(const std::string& id, const Attributes& attributes, SequenceDemand
 }
 
 /// Attributes of a body, which override those of the scenario's body that contains it.
-Attributes attributesOf(const std::string& id, const SemanticEdits& edits) {
+Attributes attributesOf(const BodyId& id, const SemanticEdits& edits) {
   Attributes attributes;
-  for (const std::string& each : {id, bodyIdOf(id)}) {
-    const auto known = edits.bodies.find(each);
+  for (const BodyId& each : {id, bodyIdOf(id)}) {
+    const auto known = edits.bodies.find(each.text());
     if (known != edits.bodies.end()) attributes.insert(known->second.begin(), known->second.end());
   }
   return attributes;
@@ -85,13 +86,13 @@ Attributes forCosts(const Attributes& attributes, const SemanticEdits& edits) {
   return own;
 }
 
-Diagnostic unknownClass(const std::string& id, const std::string& name, const BodyClasses& classes) {
+Diagnostic unknownClass(const BodyId& id, const std::string& name, const BodyClasses& classes) {
   std::string known;
   for (const BodyClass& each : classes.all()) known += (known.empty() ? "" : ", ") + each.name;
   return {ErrorKind::MalformedInput,
           "",
           "/bodies",
-          {GLISSADE_TEXT("the class of '%1' is '%2', which is not a class of bodies"), {id, name}},
+          {GLISSADE_TEXT("the class of '%1' is '%2', which is not a class of bodies"), {id.text(), name}},
           {GLISSADE_TEXT("Choose one of %1, or add it under /sequence/classes."), {known}}};
 }
 
@@ -117,11 +118,11 @@ Result<SequenceDemands> knownDemands(const Scenario& scenario, const AssembledPr
       const Attributes inherited = classes->attributesOf(name);
       attributes.insert(inherited.begin(), inherited.end());
       const std::string fastener = classes->fastenerOf(name);
-      if (!fastener.empty()) demands.fasteners.emplace_back(body.id, fastener);
+      if (!fastener.empty()) demands.fasteners.emplace_back(body.id.text(), fastener);
     }
     addBody(body.id, attributes, demands);
     Attributes own = forCosts(attributes, edits);
-    if (!own.empty()) demands.attributes[body.id] = std::move(own);
+    if (!own.empty()) demands.attributes[body.id.text()] = std::move(own);
   }
   return demands;
 }

@@ -50,7 +50,7 @@ Result<std::string> asGlb(const SweptVolume& sweep, const std::string& name, con
                                 {"nodes", GlbBuilder::Json::array({0})},
                                 {"extras", {{"bound_m", sweep.bound}, {"volume_m3", sweep.volume}}}}});
   RigidBody body;
-  body.id = name;
+  body.id = BodyId(name);
   body.name = name;
   body.mesh = std::make_shared<const TriangleMesh>(sweep.surface_W);
   body.colour = colour;

@@ -1,19 +1,32 @@
 #include "engine/fits/assembled_product.h"
 
 #include <algorithm>
-#include <map>
 #include <tuple>
 
 namespace glissade {
 
-std::optional<std::size_t> AssembledProduct::indexOf(const std::string& id) const {
+std::optional<std::size_t> AssembledProduct::find(const BodyId& id) const {
   const auto found = std::find_if(bodies.begin(), bodies.end(), [&](const RigidBody& body) { return body.id == id; });
   if (found == bodies.end()) return std::nullopt;
   return static_cast<std::size_t>(found - bodies.begin());
 }
 
+std::map<BodyId, std::size_t> AssembledProduct::indicesById() const {
+  std::map<BodyId, std::size_t> indices;
+  for (std::size_t body = 0; body < bodies.size(); ++body) indices.emplace(bodies[body].id, body);
+  return indices;
+}
+
+std::size_t AssembledProduct::indexOf(const BodyId& id) const { return find(id).value(); }
+
+std::vector<std::size_t> AssembledProduct::indicesOf(const std::vector<BodyId>& ids) const {
+  std::vector<std::size_t> indices;
+  for (const BodyId& id : ids) indices.push_back(indexOf(id));
+  return indices;
+}
+
 const std::string& AssembledProduct::nameInFile(std::size_t body) const {
-  const auto node = tree.find(bodies[body].id);
+  const auto node = tree.find(bodies[body].id.text());
   return node ? tree.nodes()[*node].names.product : bodies[body].name;
 }
 

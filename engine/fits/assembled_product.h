@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "engine/evidence/body.h"
 #include "engine/evidence/pair_words.h"
 #include "engine/fits/contact_report.h"
+#include "engine/model/body_id.h"
 #include "engine/model/product.h"
 
 namespace glissade {
@@ -22,8 +24,16 @@ struct AssembledProduct {
   /// Hooks that a person permits to bend in sequences: the body leaves in the stated direction.
   std::vector<evidence::SnapWord> snaps{};
 
-  /// Nothing if no body has this id.
-  std::optional<std::size_t> indexOf(const std::string& id) const;
+  /// Index of the body with an id that a file, a person or another revision gives; nothing: no body has it.
+  std::optional<std::size_t> find(const BodyId& id) const;
+  /// The index of each body, to find many of such ids.
+  std::map<BodyId, std::size_t> indicesById() const;
+  /// Index of the body with the id. Precondition: a body has it.
+  std::size_t indexOf(const BodyId& id) const;
+  /// The indices of the bodies with these ids, in their order. Precondition: bodies have them.
+  std::vector<std::size_t> indicesOf(const std::vector<BodyId>& ids) const;
+  /// The body with the id. Precondition: a body has it.
+  const RigidBody& body(const BodyId& id) const { return bodies[indexOf(id)]; }
   /// Name of the body in the file: its name in the tree, or the body's name if the tree does not contain it.
   const std::string& nameInFile(std::size_t body) const;
   /// The body as the judge measures it.

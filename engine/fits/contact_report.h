@@ -6,13 +6,14 @@
 
 #include "engine/base/work_watch.h"
 #include "engine/fits/fit_settings.h"
+#include "engine/model/body_id.h"
 #include "engine/places/rigid_body.h"
 
 namespace glissade {
 
 /// A body at its place in the product.
 struct ContactBody {
-  std::string id;
+  BodyId id;
   MeshPtr mesh;
   Pose X_WB;
   double deflection = 0.0;  ///< largest deviation of the mesh from its surface, metres; 0: not known

@@ -4,7 +4,7 @@
 
 namespace glissade {
 
-FitEdit& editOf(const std::string& a, const std::string& b, FitSettings& settings) {
+FitEdit& editOf(const BodyId& a, const BodyId& b, FitSettings& settings) {
   const auto found = std::find_if(settings.pairs.begin(), settings.pairs.end(), [&](const FitEdit& edit) {
     return (edit.a == a && edit.b == b) || (edit.a == b && edit.b == a);
   });

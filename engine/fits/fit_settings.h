@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/base/enum_names.h"
+#include "engine/model/body_id.h"
 
 namespace glissade {
 
@@ -25,13 +26,13 @@ inline constexpr EnumNames<ContactKind, 8> kContactKindNames{
 
 /// A person's statement about the fit of two bodies, named by id.
 struct FitEdit {
-  std::string a;
-  std::string b;
+  BodyId a;
+  BodyId b;
   std::optional<ContactKind> kind;
   std::optional<double> allowance;  ///< metres, >= 0; 0: clearance is required
   bool accepted = false;            ///< a clash that the person accepts
   std::optional<double> pitch{};    ///< pitch of a thread, metres, not 0; below 0: left-handed
-  std::string turned{};  ///< id of the body that is turned in a thread while the other one is held; empty: not stated
+  BodyId turned{};  ///< id of the body that is turned in a thread while the other one is held; empty: not stated
 };
 
 /// How a scenario treats bodies that touch or overlap in its assembled configuration.

@@ -66,8 +66,8 @@ FitStatus PairFit::status() const {
   return contact.kind == ContactKind::Clash ? FitStatus::Accepted : FitStatus::Allowed;
 }
 
-std::vector<std::string> PairFit::thinner() const {
-  std::vector<std::string> ids;
+std::vector<BodyId> PairFit::thinner() const {
+  std::vector<BodyId> ids;
   for (const Fit& fit : way().taken) {
     if (fit.thinned) ids.push_back(fit.yields == givesWayFirstIsA ? b : a);
   }

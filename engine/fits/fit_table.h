@@ -10,6 +10,7 @@
 #include "engine/base/message.h"
 #include "engine/base/thread_team.h"
 #include "engine/fits/object_fits.h"
+#include "engine/model/body_id.h"
 
 namespace glissade {
 
@@ -34,8 +35,8 @@ struct PairWay {
 
 /// Two bodies of a product that are near each other, with their fit.
 struct PairFit {
-  std::string a;  ///< id of the body with the lower index
-  std::string b;
+  BodyId a;  ///< id of the body with the lower index
+  BodyId b;
   std::array<std::string, 2> shown;  ///< names for people
   Contact contact;                   ///< with the kind and the overlap that count; indices in the product
   /// While `a` moves past `b`, and while `b` moves past `a`. The same body is thinned in both, by more if the moving
@@ -47,7 +48,7 @@ struct PairFit {
   const PairWay& way() const { return ways[givesWayFirstIsA ? 0 : 1]; }
   FitStatus status() const;
   /// Ids of the bodies that are thinned in way().
-  std::vector<std::string> thinner() const;
+  std::vector<BodyId> thinner() const;
 };
 
 /// The table of a product's fits that plans, sequences and the window share. Immutable, shared by threads.

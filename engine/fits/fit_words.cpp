@@ -6,7 +6,7 @@
 
 namespace glissade {
 
-const FitEdit* editOf(const FitSettings& settings, const std::string& a, const std::string& b) {
+const FitEdit* editOf(const FitSettings& settings, const BodyId& a, const BodyId& b) {
   const auto found = std::find_if(settings.pairs.begin(), settings.pairs.end(), [&](const FitEdit& edit) {
     return (edit.a == a && edit.b == b) || (edit.a == b && edit.b == a);
   });
@@ -32,8 +32,8 @@ evidence::PartingWords partingsOf(const std::vector<JointEdit>& edits) {
   evidence::PartingWords words;
   for (const JointEdit& edit : edits) {
     const bool parts = edit.word == JointEdit::Word::Dissolved || edit.word == JointEdit::Word::PressedOut;
-    for (const std::string& other : edit.key.others) {
-      const std::pair<std::string, std::string> pair = std::minmax(edit.key.body, other);
+    for (const BodyId& other : edit.key.others) {
+      const std::pair<BodyId, BodyId> pair = std::minmax(edit.key.body, other);
       std::erase(words.pairs, pair);
       if (parts) words.pairs.push_back(pair);
     }
@@ -41,12 +41,12 @@ evidence::PartingWords partingsOf(const std::vector<JointEdit>& edits) {
   return words;
 }
 
-std::vector<std::vector<std::string>> unitsOf(const std::vector<JointEdit>& edits) {
-  std::vector<std::vector<std::string>> units;
+std::vector<std::vector<BodyId>> unitsOf(const std::vector<JointEdit>& edits) {
+  std::vector<std::vector<BodyId>> units;
   for (const JointEdit& edit : edits) {
     const JointKind kind = edit.key.kind;
     if (kind != JointKind::Insert && kind != JointKind::Permanent && kind != JointKind::Unit) continue;
-    std::vector<std::string> bodies{edit.key.body};
+    std::vector<BodyId> bodies{edit.key.body};
     bodies.insert(bodies.end(), edit.key.others.begin(), edit.key.others.end());
     std::erase(units, bodies);
     if (edit.word == JointEdit::Word::Confirmed) units.push_back(std::move(bodies));

@@ -8,6 +8,7 @@
 #include "engine/base/enum_names.h"
 #include "engine/base/message.h"
 #include "engine/geometry/pose.h"
+#include "engine/model/body_id.h"
 #include "engine/model/drive_kind.h"
 
 namespace glissade {
@@ -80,8 +81,8 @@ struct Joint {
 /// Identifies a joint in files and to people: its kind and the ids of its bodies.
 struct JointKey {
   JointKind kind = JointKind::Screw;
-  std::string body{};
-  std::vector<std::string> others{};
+  BodyId body{};
+  std::vector<BodyId> others{};
 
   bool operator==(const JointKey&) const = default;
 };
@@ -97,7 +98,7 @@ struct JointEdit {
   JointKey key;
   Word word = Word::Confirmed;
   std::optional<Joint> made{};  ///< the joint that a person has made or changed; the indices of its bodies do not count
-  std::vector<std::string> clamped{};  ///< ids of the parts that it clamps, the nearest to the head first
+  std::vector<BodyId> clamped{};  ///< ids of the parts that it clamps, the nearest to the head first
 
   bool operator==(const JointEdit&) const;
 };

@@ -111,15 +111,15 @@ class JointEditor {
 
  private:
   Outcome knowBodies(const JointEdit& edit) const {
-    std::vector<std::string> ids = edit.key.others;
+    std::vector<BodyId> ids = edit.key.others;
     ids.push_back(edit.key.body);
     ids.insert(ids.end(), edit.clamped.begin(), edit.clamped.end());
-    for (const std::string& id : ids) {
-      if (product_.indexOf(id)) continue;
-      return refusal(edit.key, {GLISSADE_TEXT("there is no body '%1'"), {id}},
+    for (const BodyId& id : ids) {
+      if (product_.find(id)) continue;
+      return refusal(edit.key, {GLISSADE_TEXT("there is no body '%1'"), {id.text()}},
                      GLISSADE_TEXT("Name bodies by the ids that 'joints --json' prints."));
     }
-    const std::set<std::string> distinct(ids.begin(), ids.end());
+    const std::set<BodyId> distinct(ids.begin(), ids.end());
     if (distinct.size() == ids.size()) return Done{};
     return refusal(edit.key, GLISSADE_TEXT("it names a body twice"), GLISSADE_TEXT("Name each body of a joint once."));
   }
@@ -179,9 +179,9 @@ class JointEditor {
     Joint made = *edit.made;
     made.kind = edit.key.kind;
     made.state = JointState::Confirmed;
-    made.body = *product_.indexOf(edit.key.body);
-    made.others = indicesOf(edit.key.others);
-    made.clamped = indicesOf(edit.clamped);
+    made.body = product_.indexOf(edit.key.body);
+    made.others = product_.indicesOf(edit.key.others);
+    made.clamped = product_.indicesOf(edit.clamped);
     if (made.others.empty() && made.kind != JointKind::Flexible) {
       return refusal(edit.key, GLISSADE_TEXT("it has one body only"),
                      GLISSADE_TEXT("Name what it is joined with in 'others'."));
@@ -204,12 +204,6 @@ class JointEditor {
       *before = std::move(made);
     }
     return Done{};
-  }
-
-  std::vector<std::size_t> indicesOf(const std::vector<std::string>& ids) const {
-    std::vector<std::size_t> indices;
-    for (const std::string& id : ids) indices.push_back(*product_.indexOf(id));
-    return indices;
   }
 
   /// Checks that each of the other bodies is near the body, or near one that is.
@@ -252,7 +246,7 @@ class JointEditor {
 
 std::string joinedIds(const std::vector<std::size_t>& bodies, const AssembledProduct& product) {
   std::string text;
-  for (const std::size_t body : bodies) text += (text.empty() ? "'" : " -> '") + product.bodies[body].id + "'";
+  for (const std::size_t body : bodies) text += (text.empty() ? "'" : " -> '") + product.bodies[body].id.text() + "'";
   return text;
 }
 
@@ -269,7 +263,7 @@ Message inWords(const JointKey& key) {
       GLISSADE_TEXT("screw of %1"),    GLISSADE_TEXT("nut of %1"),       GLISSADE_TEXT("thread of %1"),
       GLISSADE_TEXT("insert of %1"),   GLISSADE_TEXT("pin of %1"),       GLISSADE_TEXT("snap of %1"),
       GLISSADE_TEXT("flexible of %1"), GLISSADE_TEXT("permanent of %1"), GLISSADE_TEXT("unit of %1")};
-  return {kOfBody[static_cast<std::size_t>(key.kind)], {key.body}};
+  return {kOfBody[static_cast<std::size_t>(key.kind)], {key.body.text()}};
 }
 
 Result<Joints> applied(Joints joints, const std::vector<JointEdit>& edits, const AssembledProduct& product) {
@@ -280,7 +274,7 @@ Result<Joints> applied(Joints joints, const std::vector<JointEdit>& edits, const
   }
   for (const JointEdit& edit : edits) {
     if (!edit.made) continue;
-    const auto circle = circleThrough(*product.indexOf(edit.key.body), editor.joints(), product.bodies.size());
+    const auto circle = circleThrough(product.indexOf(edit.key.body), editor.joints(), product.bodies.size());
     if (circle.empty()) continue;
     return refusal(edit.key, {GLISSADE_TEXT("joints hold each other in a circle: %1"), {joinedIds(circle, product)}},
                    GLISSADE_TEXT("Dissolve or change one of them."));
@@ -308,12 +302,12 @@ std::vector<evidence::SnapWord> bendsOf(const std::vector<JointEdit>& edits) {
   std::vector<evidence::SnapWord> bends;
   for (const JointEdit& edit : edits) {
     if (edit.key.kind != JointKind::Snap) continue;
-    const std::vector<std::string>& edges = edit.key.others;
+    const std::vector<BodyId>& edges = edit.key.others;
     std::erase_if(bends, [&](const evidence::SnapWord& earlier) {
       return earlier.hook == edit.key.body && std::find(edges.begin(), edges.end(), earlier.edge) != edges.end();
     });
     if (edit.word != JointEdit::Word::Confirmed || !edit.made || !(edit.made->bend > 0.0)) continue;
-    for (const std::string& edge : edges) {
+    for (const BodyId& edge : edges) {
       bends.push_back({edit.key.body, edge, edit.made->bend, edit.made->direction});
     }
   }

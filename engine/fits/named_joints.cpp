@@ -105,7 +105,7 @@ Designations designationsOf(const AssembledProduct& product) {
   const Product& tree = product.tree;
   Designations said;
   for (std::size_t body = 0; body < product.bodies.size(); ++body) {
-    const auto node = tree.find(product.bodies[body].id);
+    const auto node = tree.find(product.bodies[body].id.text());
     auto own = designationIn(product.nameInFile(body));
     const auto above = node ? tree.nodes()[*node].parent : std::nullopt;
     if (!own && above && tree.nodes()[*above].children.size() == 1)

@@ -44,9 +44,9 @@ class ObjectContacts {
 
   Outcome checkBodies() const {
     for (std::size_t i = 0; i < edits().size(); ++i) {
-      for (const std::string& id : {edits()[i].a, edits()[i].b}) {
-        if (question_.product.indexOf(id)) continue;
-        return refused(i, {GLISSADE_TEXT("names the body '%1', which is not there"), {id}},
+      for (const BodyId& id : {edits()[i].a, edits()[i].b}) {
+        if (question_.product.find(id)) continue;
+        return refused(i, {GLISSADE_TEXT("names the body '%1', which is not there"), {id.text()}},
                        GLISSADE_TEXT("See 'glissade-cli fits' for the names."));
       }
     }
@@ -79,7 +79,7 @@ class ObjectContacts {
   void addHooks() {
     for (const evidence::SnapWord& snap : question_.product.snaps) {
       if (snap.hook != object_.id && snap.edge != object_.id) continue;
-      const auto other = question_.product.indexOf(snap.hook == object_.id ? snap.edge : snap.hook);
+      const auto other = question_.product.find(snap.hook == object_.id ? snap.edge : snap.hook);
       if (!other) continue;
       const Contact apart{*other, question_.object, ContactKind::Clearance, 0, 0, 0, 0, 0, {}};
       contacts_.try_emplace(*other, FoundContact{apart, ends_, ends_.front()});
@@ -91,18 +91,18 @@ class ObjectContacts {
       const FitEdit& edit = edits()[i];
       if (!edit.allowance || *edit.allowance == 0.0) continue;
       if (edit.a != object_.id && edit.b != object_.id) continue;
-      const std::size_t other = *question_.product.indexOf(edit.a == object_.id ? edit.b : edit.a);
+      const std::size_t other = question_.product.indexOf(edit.a == object_.id ? edit.b : edit.a);
       if (contacts_.count(other) == 0) {
-        return refused(
-            i,
-            {GLISSADE_TEXT("allows for '%1' and '%2', which do not touch where they are assembled"), {edit.a, edit.b}},
-            GLISSADE_TEXT("Remove the allowance."));
+        return refused(i,
+                       {GLISSADE_TEXT("allows for '%1' and '%2', which do not touch where they are assembled"),
+                        {edit.a.text(), edit.b.text()}},
+                       GLISSADE_TEXT("Remove the allowance."));
       }
       const double most = kMostThinning * std::max(thicknessOf(object_), thicknessOf(body(other)));
       if (*edit.allowance > most) {
         return refused(i,
                        {GLISSADE_TEXT("allows %1, more than the thickness of '%2' or of '%3' gives"),
-                        {Length{*edit.allowance}, edit.a, edit.b}},
+                        {Length{*edit.allowance}, edit.a.text(), edit.b.text()}},
                        {GLISSADE_TEXT("Give at most %1."), {Length{most}}});
       }
     }
@@ -118,7 +118,7 @@ class ObjectContacts {
   Outcome addMarkedThreads() {
     for (const FitEdit& edit : edits()) {
       if (edit.kind != ContactKind::Thread || (edit.a != object_.id && edit.b != object_.id)) continue;
-      const std::size_t obstacle = *question_.product.indexOf(edit.a == object_.id ? edit.b : edit.a);
+      const std::size_t obstacle = question_.product.indexOf(edit.a == object_.id ? edit.b : edit.a);
       const auto known = contacts_.find(obstacle);
       if (known != contacts_.end() && hasShaft(known->second.contact)) continue;
       FoundContact found{Contact{obstacle, question_.object, ContactKind::Clearance, 0, 0, 0, 0, 0, {}}, {}, {}};
@@ -136,7 +136,7 @@ class ObjectContacts {
         return refused(static_cast<std::size_t>(&edit - edits().data()),
                        {GLISSADE_TEXT("calls '%1' and '%2' a thread, but no shaft of the one is on the axis of a hole "
                                       "of the other"),
-                        {edit.a, edit.b}},
+                        {edit.a.text(), edit.b.text()}},
                        GLISSADE_TEXT("Give another kind."));
       }
       contacts_[obstacle] = std::move(found);

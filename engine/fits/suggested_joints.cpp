@@ -184,7 +184,7 @@ class SuggestedJointFinder {
     const Product& tree = shapes_.product().tree;
     std::map<std::size_t, std::vector<std::size_t>> units;
     for (std::size_t body = 0; body < shapes_.size(); ++body) {
-      const auto own = tree.find(shapes_.body(body).id);
+      const auto own = tree.find(shapes_.body(body).id.text());
       if (!own) continue;
       const std::vector<std::size_t> above = tree.assembliesAbove(*own);
       const auto unit = std::find_if(above.begin(), above.end(),

@@ -481,15 +481,15 @@ Outcome GeometryLoader::checkOwnUnit(const Asset& asset, const std::string& kind
                     GLISSADE_TEXT("Leave out 'unit' and 'up_axis'.")};
 }
 
-std::string partId(const std::string& bodyId, const Occurrence& part) { return joinedPath(bodyId, part.path); }
+BodyId partId(const BodyId& bodyId, const Occurrence& part) { return BodyId(joinedPath(bodyId.text(), part.path)); }
 
-void warnOfMissingFaces(const LoadedGeometry& geometry, const std::string& bodyId, const std::string& file,
+void warnOfMissingFaces(const LoadedGeometry& geometry, const BodyId& bodyId, const std::string& file,
                         Warnings& warnings) {
   for (const Occurrence& part : geometry.parts) {
     if (part.facesWithoutMesh == 0) continue;
     warnings.push_back({ErrorKind::MalformedInput,
                         file,
-                        {GLISSADE_TEXT("body '%1'"), {partId(bodyId, part)}},
+                        {GLISSADE_TEXT("body '%1'"), {partId(bodyId, part).text()}},
                         {GLISSADE_TEXT("is not closed: faces or boundaries that could not be made: %1; certificates "
                                        "take what is missing as free space"),
                          {part.facesWithoutMesh}},

@@ -9,6 +9,7 @@
 #include "engine/import/asset.h"
 #include "engine/import/file_content.h"
 #include "engine/import/mesh_import.h"
+#include "engine/model/body_id.h"
 
 namespace glissade {
 
@@ -68,10 +69,10 @@ class GeometryLoader {
 };
 
 /// The id of a part of a body: "body/part", or the only name if one of them has none.
-std::string partId(const std::string& bodyId, const Occurrence& part);
+BodyId partId(const BodyId& bodyId, const Occurrence& part);
 
 /// Warns of each part with missing faces, which are free space for the planner.
-void warnOfMissingFaces(const LoadedGeometry& geometry, const std::string& bodyId, const std::string& file,
+void warnOfMissingFaces(const LoadedGeometry& geometry, const BodyId& bodyId, const std::string& file,
                         Warnings& warnings);
 
 /// Each shape of the files that is no body, once. For a file of which `named` contains single parts, each other part

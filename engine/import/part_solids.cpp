@@ -179,7 +179,8 @@ std::vector<Occurrence> withPartsAsOne(const std::vector<Occurrence>& solids, co
 Result<std::vector<Occurrence>> chosenParts(const std::vector<Occurrence>& solids, const std::string& whole,
                                             const PartChoice& choice) {
   std::vector<Occurrence> named = solids;
-  const std::set<std::string> planBodies(choice.planBodies.begin(), choice.planBodies.end());
+  const std::vector<std::string> ids = textsOf(choice.planBodies);
+  const std::set<std::string> planBodies(ids.begin(), ids.end());
   takeFormerPaths(planBodies, named);
   std::vector<Occurrence> asOne = withPartsAsOne(named, std::set<std::string>());
   std::set<std::string> joined;
@@ -187,7 +188,7 @@ Result<std::vector<Occurrence>> chosenParts(const std::vector<Occurrence>& solid
   std::set<std::string> opened;
   std::vector<ProductBody> bodies;
   for (const Occurrence& solid : named) {
-    bodies.push_back({solid.path, {solid.path, solid.names}});
+    bodies.push_back({BodyId(solid.path), {solid.path, solid.names}});
     const bool isOfPlan = planBodies.count(solid.path) > 0 && joined.count(solid.path) == 0;
     if (solid.isSolidOfPart && isOfPlan) opened.insert(partPathOf(solid));
   }

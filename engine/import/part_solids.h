@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "engine/model/body_id.h"
 #include "engine/model/occurrence.h"
 
 namespace glissade {
@@ -24,7 +25,7 @@ std::vector<Occurrence> withPartsAsOne(const std::vector<Occurrence>& solids, co
 struct PartChoice {
   std::vector<std::string> open{};  ///< names of parts that are replaced by their solids (--open)
   /// Ids of a plan: parts whose solids it names are replaced by the solids, and former paths that it names are used.
-  std::vector<std::string> planBodies{};
+  std::vector<BodyId> planBodies{};
 };
 
 /// Each part as one occurrence, except those with another choice. `whole`: name of a part that is the whole file.

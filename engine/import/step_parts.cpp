@@ -33,7 +33,7 @@ std::vector<std::string> namesOf(const LoadedGeometry& wholeFile) {
 
 Product treeOf(const std::vector<Occurrence>& parts) {
   std::vector<ProductBody> bodies;
-  for (const Occurrence& part : parts) bodies.push_back({part.path, {part.path, part.names, part.unit}});
+  for (const Occurrence& part : parts) bodies.push_back({BodyId(part.path), {part.path, part.names, part.unit}});
   return Product(bodies);
 }
 

@@ -6,22 +6,21 @@
 
 namespace glissade {
 
-std::vector<std::size_t> bodiesMeant(const std::vector<std::string>& ids, const std::string& name,
-                                     const Product& product) {
+std::vector<std::size_t> bodiesMeant(const std::vector<BodyId>& ids, const std::string& name, const Product& product) {
   std::vector<std::size_t> bodies;
   if (name.empty()) return bodies;
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    if (isMeantBy(name, ids[i])) bodies.push_back(i);
+    if (isMeantBy(name, ids[i].text())) bodies.push_back(i);
   }
   if (!bodies.empty()) return bodies;
-  const std::vector<std::string> meant = bodiesMeant(product, name);
+  const std::vector<BodyId> meant = bodiesMeant(product, name);
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if (std::binary_search(meant.begin(), meant.end(), ids[i])) bodies.push_back(i);
   }
   return bodies;
 }
 
-Result<std::vector<bool>> bodiesMeant(const std::vector<std::string>& ids, const std::vector<std::string>& names,
+Result<std::vector<bool>> bodiesMeant(const std::vector<BodyId>& ids, const std::vector<std::string>& names,
                                       const std::string& option, const Product& product) {
   std::vector<bool> meant(ids.size(), false);
   for (const std::string& name : names) {
@@ -41,7 +40,7 @@ Result<std::vector<bool>> bodiesMeant(const std::vector<std::string>& ids, const
   return meant;
 }
 
-Result<std::vector<bool>> bodiesMeant(const std::vector<std::string>& ids, const std::vector<std::string>& names,
+Result<std::vector<bool>> bodiesMeant(const std::vector<BodyId>& ids, const std::vector<std::string>& names,
                                       const std::string& option) {
   return bodiesMeant(ids, names, option, Product());
 }

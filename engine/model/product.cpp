@@ -17,8 +17,8 @@ class ProductMaker {
       : bodies_(bodies), product_(product) {
     for (const NodeDescription& node : said) said_.emplace(node.id, &node);
     for (const ProductBody& body : bodies) {
-      taken_.insert(body.id);
-      for (const TreePlace& part : body.parts) taken_.insert(joinedPath(body.id, part.path));
+      taken_.insert(body.id.text());
+      for (const TreePlace& part : body.parts) taken_.insert(joinedPath(body.id.text(), part.path));
     }
   }
 
@@ -37,13 +37,13 @@ class ProductMaker {
   }
 
   void add(const ProductBody& body) {
-    const NodeDescription* said = saidOf(body.id);
+    const NodeDescription* said = saidOf(body.id.text());
     const Parent parent = said != nullptr && said->in ? assemblyWithId(*said->in) : assemblyAbove({}, body.place);
-    const std::size_t node = append({body.id, body.place.path, namesAt(body.place), parent}, said);
+    const std::size_t node = append({body.id.text(), body.place.path, namesAt(body.place), parent}, said);
     product_.nodes_[node].unit = body.parts.empty() ? body.place.unit : body.parts.front().unit;
     for (const TreePlace& part : body.parts) {
       if (part.path.empty()) continue;
-      const std::size_t below = append({joinedPath(body.id, part.path), joinedPath(body.place.path, part.path),
+      const std::size_t below = append({joinedPath(body.id.text(), part.path), joinedPath(body.place.path, part.path),
                                         namesAt(part), assemblyAbove(node, part)},
                                        nullptr);
       product_.nodes_[below].unit = part.unit;
@@ -147,7 +147,7 @@ double Product::lengthUnit() const {
   return most == counts.end() ? 0.0 : most->first;
 }
 
-std::vector<std::string> Product::bodiesBelow(std::size_t node) const {
+std::vector<BodyId> Product::bodiesBelow(std::size_t node) const {
   std::vector<std::size_t> bodies;
   std::vector<std::size_t> open{node};
   while (!open.empty()) {
@@ -158,8 +158,8 @@ std::vector<std::string> Product::bodiesBelow(std::size_t node) const {
     open.insert(open.end(), children.begin(), children.end());
   }
   std::sort(bodies.begin(), bodies.end());
-  std::vector<std::string> ids;
-  for (const std::size_t body : bodies) ids.push_back(nodes_[body].id);
+  std::vector<BodyId> ids;
+  for (const std::size_t body : bodies) ids.emplace_back(nodes_[body].id);
   return ids;
 }
 
@@ -254,10 +254,10 @@ std::vector<std::string> Product::labels(const std::vector<std::string>& ids) co
   return labels;
 }
 
-std::vector<std::string> bodiesMeant(const Product& product, const std::string& name) {
-  std::set<std::string> ids;
+std::vector<BodyId> bodiesMeant(const Product& product, const std::string& name) {
+  std::set<BodyId> ids;
   for (const std::size_t node : product.named(name)) {
-    for (std::string& id : product.bodiesBelow(node)) ids.insert(std::move(id));
+    for (BodyId& id : product.bodiesBelow(node)) ids.insert(std::move(id));
   }
   return {ids.begin(), ids.end()};
 }

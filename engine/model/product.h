@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/model/attributes.h"
+#include "engine/model/body_id.h"
 #include "engine/model/node_names.h"
 
 namespace glissade {
@@ -20,7 +21,7 @@ struct TreePlace {
 
 /// A body from which a product is made.
 struct ProductBody {
-  std::string id;  ///< unique
+  BodyId id;
   TreePlace place;
   /// Places below `place` of its rigid bodies, if there are several. The id of each is "<id>/<path>".
   std::vector<TreePlace> parts{};
@@ -62,7 +63,7 @@ class Product {
   /// Nothing if no node has the id.
   std::optional<std::size_t> find(const std::string& id) const;
   /// Ids of the rigid bodies at the node or below it, in the order of the nodes.
-  std::vector<std::string> bodiesBelow(std::size_t node) const;
+  std::vector<BodyId> bodiesBelow(std::size_t node) const;
   /// The assemblies that contain a node, the outermost first.
   std::vector<std::size_t> assembliesAbove(std::size_t node) const;
   /// The nodes that a person means by a name: the node with this id; else those whose shown path ends in it; else those
@@ -87,6 +88,6 @@ class Product {
 };
 
 /// The bodies that a person means by a name: the bodies of the nodes with that name, by their ids.
-std::vector<std::string> bodiesMeant(const Product& product, const std::string& name);
+std::vector<BodyId> bodiesMeant(const Product& product, const std::string& name);
 
 }  // namespace glissade

@@ -15,10 +15,11 @@ bool endsInPath(const std::string& id, const std::string& path) {
 /// The displayed name of the body that a text names; null if it names none.
 const std::string* labelOf(const std::string& text, const std::vector<RigidBody>& bodies) {
   if (text.empty()) return nullptr;
-  auto named = std::find_if(bodies.begin(), bodies.end(), [&](const RigidBody& body) { return body.id == text; });
+  auto named =
+      std::find_if(bodies.begin(), bodies.end(), [&](const RigidBody& body) { return body.id.text() == text; });
   if (named == bodies.end()) {
-    named =
-        std::find_if(bodies.begin(), bodies.end(), [&](const RigidBody& body) { return endsInPath(body.id, text); });
+    named = std::find_if(bodies.begin(), bodies.end(),
+                         [&](const RigidBody& body) { return endsInPath(body.id.text(), text); });
   }
   return named == bodies.end() ? nullptr : &named->shown();
 }

@@ -6,6 +6,7 @@
 
 #include "engine/base/enum_names.h"
 #include "engine/geometry/triangle_mesh.h"
+#include "engine/model/body_id.h"
 #include "engine/model/body_path.h"
 
 namespace glissade {
@@ -25,7 +26,7 @@ inline constexpr double kObstacleOpacity = 0.38;
 
 /// A named rigid body placed in the world.
 struct RigidBody {
-  std::string id;    ///< stable id, unique in the scenario
+  BodyId id;
   std::string name;  ///< path in the product (assembly/body_path.h)
   Mobility mobility = Mobility::Static;
   MeshPtr mesh;  ///< mesh in the body's frame B
@@ -36,10 +37,13 @@ struct RigidBody {
   const std::string& shown() const { return label.empty() ? name : label; }
 };
 
+/// The ids of the bodies, in their order.
+std::vector<BodyId> idsOf(const std::vector<RigidBody>& bodies);
+
 /// Sets the displayed name of each of these bodies (Product::labels()).
 void labelBodies(std::vector<RigidBody>& bodies, const Product& product);
 
 /// Id of the scenario's body that contains a rigid body: the links "<body>/<link>" of a URDF file are one body.
-inline std::string bodyIdOf(const std::string& rigidBodyId) { return firstStepOf(rigidBodyId); }
+inline BodyId bodyIdOf(const BodyId& rigidBodyId) { return BodyId(firstStepOf(rigidBodyId.text())); }
 
 }  // namespace glissade

@@ -7,7 +7,7 @@
 namespace glissade {
 
 SemanticModel::SemanticModel(const EnvironmentModelPtr& environment, const std::vector<RigidBody>& bodies,
-                             std::string objectId, const SemanticEdits& edits, const std::vector<double>& compatibility)
+                             BodyId objectId, const SemanticEdits& edits, const std::vector<double>& compatibility)
     : objectId_(std::move(objectId)) {
   if (auto table = attributeTableOf(edits)) table_ = std::move(*table);
   const TopologicalMap& map = environment->map;
@@ -22,9 +22,9 @@ SemanticModel::SemanticModel(const EnvironmentModelPtr& environment, const std::
     names_.push_back(place.name);
   }
   for (const RigidBody& body : bodies) {
-    bodies_[body.id].computed["mobility"] = std::string(kMobilityNames.of(body.mobility));
+    bodies_[body.id.text()].computed["mobility"] = std::string(kMobilityNames.of(body.mobility));
   }
-  bodies_[objectId_].computed["mobility"] = std::string("mobile");
+  bodies_[objectId_.text()].computed["mobility"] = std::string("mobile");
   for (const PlaceEdit& edit : edits.places) {
     const int place = boundPlace(map, edit.at);
     if (place == kNoPlace) continue;
@@ -49,14 +49,14 @@ ProvenValue SemanticModel::ofPlace(std::size_t place, const std::string& attribu
   return valueOf(places_[place], AttributeOwner::Place, attribute);
 }
 
-ProvenValue SemanticModel::ofBody(const std::string& bodyId, const std::string& attribute) const {
-  const auto valuesOf = [&](const std::string& id) {
-    const auto known = bodies_.find(id);
+ProvenValue SemanticModel::ofBody(const BodyId& bodyId, const std::string& attribute) const {
+  const auto valuesOf = [&](const BodyId& id) {
+    const auto known = bodies_.find(id.text());
     return known == bodies_.end() ? Values{} : known->second;
   };
   Values values = valuesOf(bodyId);
   // A link of a URDF file has the attributes of its body, unless it has its own.
-  const std::string whole = bodyIdOf(bodyId);
+  const BodyId whole = bodyIdOf(bodyId);
   if (whole != bodyId) values.edited.merge(valuesOf(whole).edited);
   return valueOf(values, AttributeOwner::Body, attribute);
 }
@@ -98,7 +98,7 @@ Outcome checkEdits(const SemanticEdits& edits, const std::vector<std::string>& i
   const std::set<std::string> known(ids.begin(), ids.end());
   for (const auto& [id, attributes] : edits.bodies) {
     // A part "stand/bar" of a body has its own attributes.
-    if (known.count(id) == 0 && known.count(bodyIdOf(id)) == 0) {
+    if (known.count(id) == 0 && known.count(firstStepOf(id)) == 0) {
       return Diagnostic{ErrorKind::MalformedInput, "", "/bodies/" + id, GLISSADE_TEXT("is not a body of this scenario"),
                         GLISSADE_TEXT("Correct the id.")};
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/model/body_id.h"
 #include "engine/places/attribute.h"
 #include "engine/places/environment_model.h"
 
@@ -19,7 +20,7 @@ class SemanticModel {
  public:
   /// `compatibility` are the computed scores of the object, one per place; empty: not computed. Precondition:
   /// attributeTableOf(edits) succeeds. Edits of places that do not exist have no effect (see editWarnings()).
-  SemanticModel(const EnvironmentModelPtr& environment, const std::vector<RigidBody>& bodies, std::string objectId,
+  SemanticModel(const EnvironmentModelPtr& environment, const std::vector<RigidBody>& bodies, BodyId objectId,
                 const SemanticEdits& edits, const std::vector<double>& compatibility = {});
 
   const AttributeTable& table() const { return table_; }
@@ -28,7 +29,7 @@ class SemanticModel {
 
   /// The value of an attribute of a place. Precondition: the attribute exists for places.
   ProvenValue ofPlace(std::size_t place, const std::string& attribute) const;
-  ProvenValue ofBody(const std::string& bodyId, const std::string& attribute) const;
+  ProvenValue ofBody(const BodyId& bodyId, const std::string& attribute) const;
   ProvenValue ofObject(const std::string& attribute) const { return ofBody(objectId_, attribute); }
 
  private:
@@ -39,7 +40,7 @@ class SemanticModel {
   ProvenValue valueOf(const Values& values, AttributeOwner owner, const std::string& attribute) const;
 
   AttributeTable table_;
-  std::string objectId_;
+  BodyId objectId_;
   std::vector<std::string> names_;
   std::vector<Values> places_;
   std::map<std::string, Values> bodies_;

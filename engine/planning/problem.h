@@ -6,6 +6,7 @@
 
 #include "engine/collision/collision_query.h"
 #include "engine/geometry/se3_metric.h"
+#include "engine/model/body_id.h"
 #include "engine/places/semantic_model.h"
 #include "engine/planning/sampling_region.h"
 
@@ -21,7 +22,7 @@ struct StrategyRules;   ///< see planning/coarse/strategy_rules.h
 
 /// Knowledge of the multi-layer planners beyond geometry. Immutable; shared by threads.
 struct SceneDescription {
-  std::string objectId = "object";
+  BodyId objectId = "object";
   EnvironmentOptions environment;
   SemanticEditsPtr edits;                           ///< null: none
   std::shared_ptr<const SceneKnowledge> knowledge;  ///< null: a planner that needs it computes it

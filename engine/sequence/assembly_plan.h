@@ -11,6 +11,7 @@
 #include "engine/fits/fit.h"
 #include "engine/fits/fit_thread.h"
 #include "engine/fits/joint.h"
+#include "engine/model/body_id.h"
 #include "engine/planning/path.h"
 #include "engine/sequence/fastener_kind.h"
 #include "engine/sequence/order_rules.h"
@@ -25,18 +26,18 @@ enum class ToolAccess { NotAsked, Free, Blocked };
 struct StepTool {
   ToolKind kind = ToolKind::None;
   ToolAccess access = ToolAccess::NotAsked;
-  std::vector<std::string> blockedBy{};  ///< ids of bodies in its way
-  std::string turned{};  ///< id of the bolt that it turns while the step's nut is held; empty: it turns the fastener
+  std::vector<BodyId> blockedBy{};  ///< ids of bodies in its way
+  BodyId turned{};  ///< id of the bolt that it turns while the step's nut is held; empty: it turns the fastener
 };
 
 /// A joint that comes apart by a step: its description for people, and the conditions that the step's motion has to
 /// meet.
 struct StepJoint {
   JointKind kind = JointKind::Screw;
-  std::string body;                    ///< id, see Joint::body
-  std::vector<std::string> others{};   ///< ids, see Joint::others
-  std::vector<std::string> clamped{};  ///< ids, see Joint::clamped
-  std::string designation{};           ///< see Joint::designation
+  BodyId body;                    ///< id, see Joint::body
+  std::vector<BodyId> others{};   ///< ids, see Joint::others
+  std::vector<BodyId> clamped{};  ///< ids, see Joint::clamped
+  std::string designation{};      ///< see Joint::designation
   DriveKind drive = DriveKind::None;
   double driveSize = 0.0;  ///< metres; 0: not known
   double diameter = 0.0;   ///< diameter of the thread, metres; 0: no thread
@@ -54,7 +55,7 @@ struct StepProof {
   double required = 0.0;       ///< metres
   double provedClearance = 0.0;  ///< metres, lower bound; infinity: no body was there
   double minClearance = 0.0;     ///< smallest clearance that was met, metres
-  std::string nearest;           ///< id of the body at the smallest clearance; empty: none
+  BodyId nearest;                ///< id of the body at the smallest clearance; empty: none
 };
 
 /// A rule that a step breaks because a person wants the step at its place.
@@ -67,7 +68,7 @@ struct StepViolation {
     Joint      ///< `bodies` hold the step's bodies, as screws hold the parts that they clamp
   };
   Rule rule = Rule::Before;
-  std::vector<std::string> bodies;  ///< ids
+  std::vector<BodyId> bodies;  ///< ids
 };
 inline constexpr EnumNames<StepViolation::Rule, 5> kRuleNames{{"before", "fastener", "standing", "place", "joint"}};
 
@@ -80,7 +81,7 @@ Message methodInWords(const std::string& method);
 /// The removal of one body, or of several that move as one. A motion that is proved against a set of bodies is proved
 /// against each subset.
 struct AssemblyStep {
-  std::string body;  ///< id of the body, or of the first body of a group
+  BodyId body;  ///< id of the body, or of the first body of a group
   /// Path of the body's frame, or of the group's frame, from its pose in the assembled product (see AssembledProduct).
   /// Every body of the step has X_WB = X(t) X(0)^-1 X_WB(assembled).
   std::vector<PathPoint> path;
@@ -91,7 +92,7 @@ struct AssemblyStep {
   StepProof proof;
   /// Allowances against bodies that were there, and against those that may be there in another order (`after`).
   std::vector<Allowance> allowances;
-  std::vector<std::string> with{};  ///< ids of the other bodies of a group
+  std::vector<BodyId> with{};  ///< ids of the other bodies of a group
   /// Numbers, from 1, ascending, of the steps that have to be carried out before this one: their bodies would be in the
   /// way, or the order is demanded. Every order that keeps `after` of all steps is proved as well.
   std::vector<std::size_t> after{};
@@ -99,7 +100,7 @@ struct AssemblyStep {
   FastenerKind fastener = FastenerKind::None;  ///< kind of a single body; None for a group
   StepTool tool{};                             ///< tool for a single body
   /// Ids of bodies that would tip or fall after the step and do not before it: they have to be held.
-  std::vector<std::string> falling{};
+  std::vector<BodyId> falling{};
   std::vector<StepViolation> violates{};  ///< broken rules of a step that a person has put at its place
   std::vector<StepJoint> joints{};        ///< joints that come apart by the step
   /// Number of the task, from 1: steps with the same number remove the fastener stacks of alike joints that clamp the
@@ -110,8 +111,8 @@ struct AssemblyStep {
   bool certified = true;
 
   /// Ids of all bodies that leave; the first body of the step comes first.
-  std::vector<std::string> bodies() const {
-    std::vector<std::string> all{body};
+  std::vector<BodyId> bodies() const {
+    std::vector<BodyId> all{body};
     all.insert(all.end(), with.begin(), with.end());
     return all;
   }
@@ -119,11 +120,11 @@ struct AssemblyStep {
 
 /// A body or a group for which a removal was searched and not found.
 struct RefusedRemoval {
-  std::string body;            ///< id of the body, or of the first body of a group
+  BodyId body;                 ///< id of the body, or of the first body of a group
   int effort = 0;              ///< 0: straight motions; above 0: searches, each longer than the one of the effort below
   std::size_t afterSteps = 0;  ///< number of steps that had been carried out before the search
-  std::vector<std::string> blockedBy;  ///< ids; the search is repeated only after one of these bodies has left
-  std::vector<std::string> with{};     ///< ids of the other bodies of a group
+  std::vector<BodyId> blockedBy;  ///< ids; the search is repeated only after one of these bodies has left
+  std::vector<BodyId> with{};     ///< ids of the other bodies of a group
 };
 
 /// The reason why a plan has ended.
@@ -132,10 +133,10 @@ inline constexpr EnumNames<PlanEnd, 4> kPlanEndNames{{"complete", "stuck", "time
 
 /// A body that stays because no removal was found.
 struct StuckBody {
-  std::string body;  ///< id
+  BodyId body;  ///< id
   /// Ids of blocking bodies that are still there; for a step with a demanded place, those that were there at that
   /// place.
-  std::vector<std::string> blockedBy;
+  std::vector<BodyId> blockedBy;
   Message reason{};  ///< with names; may be empty
 };
 
@@ -143,8 +144,8 @@ struct StuckBody {
 /// assembled poses.
 struct SubassemblyLine {
   std::size_t step = 0;  ///< number, from 1, of the step by which the group has left, in the plan or in the line above
-  std::vector<std::string> bodies{};     ///< ids of all bodies of the group
-  std::vector<std::string> staying{};    ///< ids of the bodies that remain as the base
+  std::vector<BodyId> bodies{};          ///< ids of all bodies of the group
+  std::vector<BodyId> staying{};         ///< ids of the bodies that remain as the base
   std::vector<AssemblyStep> steps{};     ///< `after` counts the steps of this line
   std::vector<StuckBody> stuck{};        ///< bodies that could not leave the base
   std::vector<SubassemblyLine> lines{};  ///< lines of groups that leave this group
@@ -154,8 +155,8 @@ struct SubassemblyLine {
 struct AssemblyPlan {
   std::string strategy;  ///< id of the strategy
   std::uint64_t seed = 1;
-  std::vector<std::string> bodies;   ///< ids of all bodies, in the order of the product
-  std::vector<std::string> staying;  ///< ids of bodies that do not leave
+  std::vector<BodyId> bodies;   ///< ids of all bodies, in the order of the product
+  std::vector<BodyId> staying;  ///< ids of bodies that do not leave
   std::vector<AssemblyStep> steps;
   std::vector<RefusedRemoval> refusals;  ///< searches that a resumed run need not repeat
   /// Motions that a stopped run had found and not carried out, because bodies would fall.

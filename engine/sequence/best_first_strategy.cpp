@@ -85,7 +85,7 @@ class Reordering {
       for (const std::size_t body : group) own[body] = true;
       places_.push_back(boxOf(question.product, own).center() / (size > 0.0 ? size : 1.0));
       const Product& tree = question.product.tree;
-      const auto node = tree.find(question.product.bodies[group.front()].id);
+      const auto node = tree.find(question.product.bodies[group.front()].id.text());
       assemblies_.push_back(node ? tree.assembliesAbove(*node) : std::vector<std::size_t>());
       const bool single = question.joints != nullptr && group.size() == 1;
       tasks_.push_back(single ? question.joints->taskOf(group.front()) : 0);
@@ -201,7 +201,7 @@ bool isStillProved(const AssemblyStep& step, const BodySet& proved, const BodySe
   for (std::size_t body = 0; body < present.size(); ++body) {
     if (present[body] && !proved[body]) return false;
   }
-  return step.proof.nearest.empty() || present[*product.indexOf(step.proof.nearest)];
+  return step.proof.nearest.empty() || present[product.indexOf(step.proof.nearest)];
 }
 
 /// True if all bodies of the step end outside of the box of the other bodies of `present`.

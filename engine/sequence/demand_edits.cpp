@@ -42,14 +42,14 @@ void makeRoomAt(std::size_t place, std::vector<DemandedPlace>& places) {
 
 SequenceDemands withStepMoved(std::size_t from, std::size_t to, const AssemblyPlan& plan, SequenceDemands demands) {
   std::vector<BodyNames> steps;
-  for (const AssemblyStep& step : plan.steps) steps.push_back(step.bodies());
+  for (const AssemblyStep& step : plan.steps) steps.push_back(textsOf(step.bodies()));
   demands.places = movedTo(to, from, steps, demands.places);
   return demands;
 }
 
 SequenceDemands withStepLocked(std::size_t step, bool locked, const AssemblyPlan& plan, SequenceDemands demands) {
   const AssemblyStep& own = plan.steps[step];
-  const BodyNames bodies = own.bodies();
+  const BodyNames bodies = textsOf(own.bodies());
   const bool byHand = own.method == kByHand;
   std::erase_if(demands.places, [&](const DemandedPlace& each) { return hasOneOf(each.bodies, bodies); });
   if (!byHand) dropMotion(bodies, demands);
@@ -61,9 +61,9 @@ SequenceDemands withStepLocked(std::size_t step, bool locked, const AssemblyPlan
   return byHand ? demands : withMotion({bodies, own.path, own.method}, std::move(demands));
 }
 
-SequenceDemands withForbidden(const BodyNames& bodies, const Vector3& direction, SequenceDemands demands) {
-  for (const std::string& body : bodies) {
-    const ForbiddenDirection added{body, direction.normalized() + Vector3::Zero()};  // 0, not -0
+SequenceDemands withForbidden(const std::vector<BodyId>& bodies, const Vector3& direction, SequenceDemands demands) {
+  for (const BodyId& body : bodies) {
+    const ForbiddenDirection added{body.text(), direction.normalized() + Vector3::Zero()};  // 0, not -0
     if (std::find(demands.forbidden.begin(), demands.forbidden.end(), added) == demands.forbidden.end()) {
       demands.forbidden.push_back(added);
     }
@@ -71,11 +71,11 @@ SequenceDemands withForbidden(const BodyNames& bodies, const Vector3& direction,
   return demands;
 }
 
-SequenceDemands withOrder(const std::vector<BodyNames>& steps, SequenceDemands demands) {
+SequenceDemands withOrder(const std::vector<std::vector<BodyId>>& steps, SequenceDemands demands) {
   for (std::size_t i = 1; i < steps.size(); ++i) {
-    for (const std::string& first : steps[i - 1]) {
-      for (const std::string& then : steps[i]) {
-        const std::pair<std::string, std::string> rule(first, then);
+    for (const BodyId& first : steps[i - 1]) {
+      for (const BodyId& then : steps[i]) {
+        const std::pair<std::string, std::string> rule(first.text(), then.text());
         auto& before = demands.before;
         if (std::find(before.begin(), before.end(), rule) == before.end()) before.push_back(rule);
       }
@@ -90,7 +90,8 @@ SequenceDemands withMotion(const DemandedMotion& motion, SequenceDemands demands
   return demands;
 }
 
-SequenceDemands withoutDemandsOn(const BodyNames& bodies, SequenceDemands demands) {
+SequenceDemands withoutDemandsOn(const std::vector<BodyId>& ids, SequenceDemands demands) {
+  const BodyNames bodies = textsOf(ids);
   dropMotion(bodies, demands);
   std::erase_if(demands.places, [&](const DemandedPlace& each) { return hasOneOf(each.bodies, bodies); });
   std::erase_if(demands.forbidden, [&](const ForbiddenDirection& each) { return isOneOf(each.body, bodies); });
@@ -99,7 +100,8 @@ SequenceDemands withoutDemandsOn(const BodyNames& bodies, SequenceDemands demand
   return demands;
 }
 
-StepDemands demandsOn(const BodyNames& bodies, const SequenceDemands& demands) {
+StepDemands demandsOn(const std::vector<BodyId>& ids, const SequenceDemands& demands) {
+  const BodyNames bodies = textsOf(ids);
   StepDemands own;
   for (const DemandedPlace& each : demands.places) {
     if (areSameBodies(each.bodies, bodies)) own.place = &each;

@@ -15,26 +15,25 @@ SequenceDemands withStepMoved(std::size_t from, std::size_t to, const AssemblyPl
 SequenceDemands withStepLocked(std::size_t step, bool locked, const AssemblyPlan& plan, SequenceDemands demands);
 
 /// Forbids the direction to each of the bodies. Demands that exclude it stay: see demand_conflicts.h.
-SequenceDemands withForbidden(const std::vector<std::string>& bodies, const Vector3& direction,
-                              SequenceDemands demands);
+SequenceDemands withForbidden(const std::vector<BodyId>& bodies, const Vector3& direction, SequenceDemands demands);
 
 /// Demands that each body of a list leaves before all bodies of the next list. Demands of the opposite order stay.
-SequenceDemands withOrder(const std::vector<std::vector<std::string>>& steps, SequenceDemands demands);
+SequenceDemands withOrder(const std::vector<std::vector<BodyId>>& steps, SequenceDemands demands);
 
 /// Demands this motion for the bodies, in place of earlier demanded motions of these bodies. Directions that forbid it
 /// stay.
 SequenceDemands withMotion(const DemandedMotion& motion, SequenceDemands demands);
 
 /// Removes the demands on the places, motions, directions and order of these bodies.
-SequenceDemands withoutDemandsOn(const std::vector<std::string>& bodies, SequenceDemands demands);
+SequenceDemands withoutDemandsOn(const std::vector<BodyId>& ids, SequenceDemands demands);
 
 /// Demands on one step; null or empty members: there is none.
 struct StepDemands {
   const DemandedPlace* place = nullptr;
   const DemandedMotion* motion = nullptr;
   std::vector<Vector3> forbidden{};
-  std::vector<std::string> before{};  ///< bodies that leave after the step
-  std::vector<std::string> after{};   ///< bodies that leave before the step
+  std::vector<std::string> before{};  ///< names of bodies that leave after the step
+  std::vector<std::string> after{};   ///< names of bodies that leave before the step
 
   bool isLocked() const { return place != nullptr && place->locked; }
   bool isByHand() const { return motion != nullptr && motion->method == kByHand; }
@@ -43,6 +42,6 @@ struct StepDemands {
   }
 };
 /// The result refers to `demands`.
-StepDemands demandsOn(const std::vector<std::string>& bodies, const SequenceDemands& demands);
+StepDemands demandsOn(const std::vector<BodyId>& ids, const SequenceDemands& demands);
 
 }  // namespace glissade

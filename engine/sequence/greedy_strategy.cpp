@@ -20,13 +20,13 @@ namespace {
 /// and those that would cut a unit of the rules, are left out.
 std::vector<BodyGroup> assembliesThere(const SequenceQuestion& question, const BodySet& present) {
   const Product& tree = question.product.tree;
-  std::map<std::string, std::size_t> numbers;
+  std::map<BodyId, std::size_t> numbers;
   for (const std::size_t body : bodiesIn(present)) numbers.emplace(question.product.bodies[body].id, body);
   std::set<BodyGroup> assemblies;
   for (std::size_t node = 0; node < tree.nodes().size(); ++node) {
     if (tree.nodes()[node].children.empty()) continue;
     BodyGroup bodies;
-    for (const std::string& id : tree.bodiesBelow(node)) {
+    for (const BodyId& id : tree.bodiesBelow(node)) {
       if (const auto there = numbers.find(id); there != numbers.end()) bodies.push_back(there->second);
     }
     std::sort(bodies.begin(), bodies.end());
@@ -93,20 +93,14 @@ class GreedySearch {
   }
 
  private:
-  const std::string& idOf(std::size_t body) const { return question_.product.bodies[body].id; }
+  const BodyId& idOf(std::size_t body) const { return question_.product.bodies[body].id; }
   bool stopped() const { return host_.stopToken().stopRequested(); }
 
-  std::vector<std::string> idsOf(const BodyGroup& bodies) const { return glissade::idsOf(bodies, question_.product); }
+  std::vector<BodyId> idsOf(const BodyGroup& bodies) const { return glissade::idsOf(bodies, question_.product); }
 
-  std::vector<std::size_t> indicesOf(const std::vector<std::string>& ids) const {
-    std::vector<std::size_t> bodies;
-    for (const std::string& id : ids) bodies.push_back(*question_.product.indexOf(id));
-    return bodies;
-  }
-
-  BodyGroup refusedGroup(const std::string& body, const std::vector<std::string>& with) const {
-    BodyGroup group = indicesOf(with);
-    group.push_back(*question_.product.indexOf(body));
+  BodyGroup refusedGroup(const RefusedRemoval& refused) const {
+    BodyGroup group = question_.product.indicesOf(refused.with);
+    group.push_back(question_.product.indexOf(refused.body));
     std::sort(group.begin(), group.end());
     return group;
   }
@@ -120,8 +114,8 @@ class GreedySearch {
       question_.trial.learn(group, step.path);
     }
     for (const RefusedRemoval& refused : earlier.refusals) {
-      refusals_[refusedGroup(refused.body, refused.with)][refused.effort] = {indicesOf(refused.blockedBy),
-                                                                             refused.afterSteps};
+      refusals_[refusedGroup(refused)][refused.effort] = {question_.product.indicesOf(refused.blockedBy),
+                                                          refused.afterSteps};
     }
     for (const AssemblyStep& step : earlier.waiting) waiting_[groupOf(step, question_.product)] = step;
   }

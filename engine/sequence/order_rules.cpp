@@ -63,8 +63,9 @@ Outcome leaveTogether(const BodyGroup& group, const AssembledProduct& product, O
     if (other == group) return Done{};
     for (const std::size_t body : group) {
       if (!std::binary_search(other.begin(), other.end(), body)) continue;
-      return refusedDemand({GLISSADE_TEXT("'%1' is in two constrained steps or groups"), {product.bodies[body].id}},
-                           GLISSADE_TEXT("Name the same bodies in both, or remove one."));
+      return refusedDemand(
+          {GLISSADE_TEXT("'%1' is in two constrained steps or groups"), {product.bodies[body].id.text()}},
+          GLISSADE_TEXT("Name the same bodies in both, or remove one."));
     }
   }
   if (group.size() > 1) rules.together.push_back(group);
@@ -85,7 +86,7 @@ Outcome addPlaces(const SequenceDemands& demands, const AssembledProduct& produc
     }
     for (const std::size_t body : *group) {
       if (placed.insert(body).second) continue;
-      return refusedDemand({GLISSADE_TEXT("'%1' is constrained to two places"), {product.bodies[body].id}},
+      return refusedDemand({GLISSADE_TEXT("'%1' is constrained to two places"), {product.bodies[body].id.text()}},
                            GLISSADE_TEXT("Remove one of them."));
     }
     rules.placed.push_back({std::move(*group), demand.place});
@@ -105,8 +106,9 @@ Outcome addMotions(const SequenceDemands& demands, const AssembledProduct& produ
                            GLISSADE_TEXT("Give two configurations."));
     }
     if (rules.motionOf(*group) != nullptr) {
-      return refusedDemand({GLISSADE_TEXT("'%1' is constrained to two motions"), {product.bodies[group->front()].id}},
-                           GLISSADE_TEXT("Remove one."));
+      return refusedDemand(
+          {GLISSADE_TEXT("'%1' is constrained to two motions"), {product.bodies[group->front()].id.text()}},
+          GLISSADE_TEXT("Remove one."));
     }
     rules.motions.push_back({std::move(*group), demand.path, demand.method});
   }
@@ -132,7 +134,7 @@ Outcome checkMotions(const OrderRules& rules, const AssembledProduct& product) {
   for (const OrderRules::GivenMotion& motion : rules.motions) {
     if (!isForbidden(firstDirection(motion.path), rules.forbiddenTo(motion.group))) continue;
     return refusedDemand({GLISSADE_TEXT("'%1' is constrained to a motion in a direction that is ruled out for it"),
-                          {product.bodies[motion.group.front()].id}},
+                          {product.bodies[motion.group.front()].id.text()}},
                          GLISSADE_TEXT("Remove one of the two constraints."));
   }
   return Done{};
@@ -159,9 +161,7 @@ std::size_t OrderRules::placeOf(const BodyGroup& group) const {
 }
 
 BodyGroup bodiesNamed(const AssembledProduct& product, const std::string& name) {
-  std::vector<std::string> ids;
-  for (const RigidBody& body : product.bodies) ids.push_back(body.id);
-  return bodiesMeant(ids, name, product.tree);
+  return bodiesMeant(idsOf(product.bodies), name, product.tree);
 }
 
 Result<BodySet> stayingBodies(const AssembledProduct& product, const std::vector<std::string>& names) {
@@ -190,9 +190,9 @@ Result<OrderRules> resolved(const SequenceDemands& demands, const AssembledProdu
       if (bodies.empty()) return unknownBody(name);
       for (const std::size_t body : bodies) {
         if (!grouped.insert(body).second) {
-          return refusedDemand(
-              {GLISSADE_TEXT("'%1' is in two groups that are to be removed together"), {product.bodies[body].id}},
-              GLISSADE_TEXT("Name each body once."));
+          return refusedDemand({GLISSADE_TEXT("'%1' is in two groups that are to be removed together"),
+                                {product.bodies[body].id.text()}},
+                               GLISSADE_TEXT("Name each body once."));
         }
         group.push_back(body);
       }

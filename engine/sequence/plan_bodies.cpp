@@ -9,14 +9,14 @@ namespace glissade {
 namespace {
 
 /// The id in the product of each body of the plan; empty if a body has none, or two bodies have the same.
-std::map<std::string, std::string> idsInProduct(const AssembledProduct& product, const AssemblyPlan& plan) {
-  std::map<std::string, std::string> byName;
+std::map<BodyId, BodyId> idsInProduct(const AssembledProduct& product, const AssemblyPlan& plan) {
+  std::map<std::string, BodyId> byName;
   for (const RigidBody& body : product.bodies) byName.emplace(body.name, body.id);
-  for (const RigidBody& body : product.bodies) byName[body.id] = body.id;
-  std::map<std::string, std::string> ids;
-  std::set<std::string> used;
-  for (const std::string& body : plan.bodies) {
-    const auto found = byName.find(body);
+  for (const RigidBody& body : product.bodies) byName[body.id.text()] = body.id;
+  std::map<BodyId, BodyId> ids;
+  std::set<BodyId> used;
+  for (const BodyId& body : plan.bodies) {
+    const auto found = byName.find(body.text());
     if (found == byName.end() || !used.insert(found->second).second) return {};
     ids.emplace(body, found->second);
   }
@@ -26,14 +26,19 @@ std::map<std::string, std::string> idsInProduct(const AssembledProduct& product,
 /// Replaces ids by those of the product. Names that are no ids stay: demands may name bodies by the ends of their ids.
 class Renaming {
  public:
-  explicit Renaming(const std::map<std::string, std::string>& ids) : ids_(ids) {}
+  explicit Renaming(const std::map<BodyId, BodyId>& ids) : ids_(ids) {}
 
-  void one(std::string& id) const {
+  void one(BodyId& id) const {
     const auto known = ids_.find(id);
     if (known != ids_.end()) id = known->second;
   }
-  void all(std::vector<std::string>& list) const {
-    for (std::string& id : list) one(id);
+  void one(std::string& name) const {
+    const auto known = ids_.find(BodyId(name));
+    if (known != ids_.end()) name = known->second.text();
+  }
+  template <class Named>
+  void all(std::vector<Named>& list) const {
+    for (Named& each : list) one(each);
   }
   void step(AssemblyStep& step) const {
     one(step.body);
@@ -95,15 +100,13 @@ class Renaming {
   }
 
  private:
-  const std::map<std::string, std::string>& ids_;
+  const std::map<BodyId, BodyId>& ids_;
 };
 
 }  // namespace
 
 std::vector<std::size_t> bodiesOf(const AssemblyStep& step, const AssembledProduct& product) {
-  std::vector<std::size_t> bodies;
-  for (const std::string& id : step.bodies()) bodies.push_back(*product.indexOf(id));
-  return bodies;
+  return product.indicesOf(step.bodies());
 }
 
 std::vector<Allowance> allowancesInOrder(const std::vector<AssemblyStep>& steps, std::size_t at) {

@@ -43,15 +43,14 @@ Vector3 flexibleDirection(std::size_t body, const SequenceQuestion& question) {
 
 }  // namespace
 
-std::vector<std::string> idsOf(const BodyGroup& bodies, const AssembledProduct& product) {
-  std::vector<std::string> ids;
+std::vector<BodyId> idsOf(const BodyGroup& bodies, const AssembledProduct& product) {
+  std::vector<BodyId> ids;
   for (const std::size_t body : bodies) ids.push_back(product.bodies[body].id);
   return ids;
 }
 
 BodyGroup groupOf(const AssemblyStep& step, const AssembledProduct& product) {
-  BodyGroup group;
-  for (const std::string& id : step.bodies()) group.push_back(*product.indexOf(id));
+  BodyGroup group = product.indicesOf(step.bodies());
   std::sort(group.begin(), group.end());
   return group;
 }
@@ -105,7 +104,7 @@ void addAllowances(AssemblyStep& step, const BodyGroup& group, const std::vector
       fit.pitch = 0.0;
     }
     Allowance& allowance = fit;
-    if (fit.object == group.front()) allowance.moving.clear();
+    if (fit.object == group.front()) allowance.moving = {};
     if (fit.thread) allowance.turns = turnsIn(fit.thread->rule, body, other, step.path);
     allowance.text = withTurns(inWords(fit, body.shown(), other.shown()), allowance.turns);
     step.allowances.push_back(std::move(allowance));

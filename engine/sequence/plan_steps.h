@@ -7,7 +7,7 @@
 
 namespace glissade {
 
-std::vector<std::string> idsOf(const BodyGroup& bodies, const AssembledProduct& product);
+std::vector<BodyId> idsOf(const BodyGroup& bodies, const AssembledProduct& product);
 
 /// The bodies of a step. Precondition: the step belongs to this product.
 BodyGroup groupOf(const AssemblyStep& step, const AssembledProduct& product);

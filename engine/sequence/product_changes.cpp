@@ -77,14 +77,15 @@ class Comparison {
       : before_(before), now_(now), stop_(stop), shapes_(before, now), isMatched_(now.bodies.size(), false) {}
 
   ProductChanges find() {
+    const std::map<BodyId, std::size_t> indices = now_.indicesById();
     for (std::size_t i = 0; i < before_.bodies.size() && !stop_.stopRequested(); ++i) {
-      const auto same = now_.indexOf(before_.bodies[i].id);
-      if (!same) {
+      const auto same = indices.find(before_.bodies[i].id);
+      if (same == indices.end()) {
         changes_.went.push_back(i);
         continue;
       }
-      isMatched_[*same] = true;
-      compare(i, *same);
+      isMatched_[same->second] = true;
+      compare(i, same->second);
     }
     std::erase_if(changes_.went, [this](std::size_t body) { return !stop_.stopRequested() && isRenamed(body); });
     for (std::size_t i = 0; i < now_.bodies.size(); ++i) {
@@ -140,7 +141,7 @@ class Comparison {
 /// Carries steps over to a product that lacks bodies of theirs.
 class StepCarrier {
  public:
-  explicit StepCarrier(const AssembledProduct& product) : product_(product) {}
+  explicit StepCarrier(const AssembledProduct& product) : present_(product.indicesById()) {}
 
   /// `from`: receives the index of each step that is left.
   void carry(std::vector<AssemblyStep>& steps, std::vector<SubassemblyLine>& lines,
@@ -148,7 +149,7 @@ class StepCarrier {
     std::vector<std::size_t> numbers(steps.size() + 1, 0);  // new number of each step by its number, from 1; 0: none
     std::vector<AssemblyStep> left;
     for (std::size_t i = 0; i < steps.size(); ++i) {
-      const std::vector<std::string> bodies = steps[i].bodies();
+      const std::vector<BodyId> bodies = steps[i].bodies();
       if (std::any_of(bodies.begin(), bodies.end(), isGone())) continue;
       left.push_back(std::move(steps[i]));
       from.push_back(i);
@@ -168,15 +169,15 @@ class StepCarrier {
     }
   }
 
-  void keepPresent(std::vector<std::string>& bodies) const { std::erase_if(bodies, isGone()); }
+  void keepPresent(std::vector<BodyId>& bodies) const { std::erase_if(bodies, isGone()); }
   void keepPresent(std::vector<StuckBody>& all) const {
     std::erase_if(all, [&](const StuckBody& stuck) { return isGone()(stuck.body); });
     for (StuckBody& stuck : all) keepPresent(stuck.blockedBy);
   }
 
  private:
-  std::function<bool(const std::string&)> isGone() const {
-    return [this](const std::string& id) { return !product_.indexOf(id).has_value(); };
+  std::function<bool(const BodyId&)> isGone() const {
+    return [this](const BodyId& id) { return present_.count(id) == 0; };
   }
 
   /// Removes the proof, measurements, and statements about bodies that are gone.
@@ -197,7 +198,7 @@ class StepCarrier {
     });
   }
 
-  const AssembledProduct& product_;
+  std::map<BodyId, std::size_t> present_;
 };
 
 /// Lengthens the path along its last displacement until it ends outside of the box of the other bodies, which has grown
@@ -230,12 +231,14 @@ void endOutside(AssemblyStep& step, const AssembledProduct& product) {
 }  // namespace
 
 AssembledProduct withIdsOf(const AssembledProduct& before, AssembledProduct now) {
-  std::map<std::string, std::string> ids;
+  const std::map<BodyId, std::size_t> ofBefore = before.indicesById();
+  const std::map<BodyId, std::size_t> ofNow = now.indicesById();
+  std::map<std::string, BodyId> ids;  // by name
   for (const RigidBody& body : before.bodies) {
-    if (!now.indexOf(body.id)) ids.emplace(body.name, body.id);
+    if (ofNow.count(body.id) == 0) ids.emplace(body.name, body.id);
   }
   for (RigidBody& body : now.bodies) {
-    if (before.indexOf(body.id)) continue;
+    if (ofBefore.count(body.id) != 0) continue;
     const auto found = ids.extract(body.name);
     if (!found.empty()) body.id = found.mapped();
   }
@@ -251,8 +254,7 @@ CarriedPlan carriedTo(const AssembledProduct& product, const AssemblyPlan& plan)
   const StepCarrier carrier(product);
   carrier.carry(carried.plan.steps, carried.plan.lines, carried.from);
   for (AssemblyStep& step : carried.plan.steps) endOutside(step, product);
-  carried.plan.bodies.clear();
-  for (const RigidBody& body : product.bodies) carried.plan.bodies.push_back(body.id);
+  carried.plan.bodies = idsOf(product.bodies);
   carrier.keepPresent(carried.plan.staying);
   carrier.keepPresent(carried.plan.stuck);
   carried.plan.refusals.clear();

@@ -34,8 +34,8 @@ ProductFits::ProductFits(const AssembledProduct& product, FitTablePtr table) : t
   for (const ObjectFits& object : table_->objects()) axes_.push_back(glissade::axesOf(object.contacts));
   for (const PairFit& pair : table_->pairs()) contacts_.push_back(pair.contact);
   for (const evidence::SnapWord& snap : product.snaps) {
-    const auto hook = product.indexOf(snap.hook);
-    const auto edge = product.indexOf(snap.edge);
+    const auto hook = product.find(snap.hook);
+    const auto edge = product.find(snap.edge);
     if (!hook || !edge) continue;
     bentWays_[{*hook, *edge}] = snap.direction;
     bentWays_[{*edge, *hook}] = -snap.direction;

@@ -89,7 +89,7 @@ RemovalAnswer SearchedRemoval::tryRemoval(const BodyGroup& group, const BodySet&
 /// A seed for each question, so that the answer does not depend on earlier questions.
 std::uint64_t SearchedRemoval::seedOf(const BodyGroup& group, const BodySet& present, std::uint64_t work) const {
   std::string question;
-  for (const std::size_t body : group) question += product_.bodies[body].id + "/";
+  for (const std::size_t body : group) question += product_.bodies[body].id.text() + "/";
   question += std::to_string(bodiesIn(present).size()) + "/" + std::to_string(work);
   return RandomStream(seed_, question).bits();
 }

@@ -48,7 +48,7 @@ Outcome checkPlaces(const AssembledProduct& product, const OrderRules& rules, co
                         "",
                         "",
                         {GLISSADE_TEXT("'%1' is fixed as base, and is constrained to step %2"),
-                         {product.bodies[body].id, step.place}},
+                         {product.bodies[body].id.text(), step.place}},
                         GLISSADE_TEXT("Fix another body as base, or remove the constraint.")};
     }
   }

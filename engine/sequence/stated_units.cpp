@@ -9,7 +9,8 @@
 namespace glissade {
 namespace {
 
-using Ids = std::vector<std::string>;
+using Ids = std::vector<BodyId>;
+using Names = std::vector<std::string>;
 
 class StatedUnitFinder {
  public:
@@ -28,19 +29,19 @@ class StatedUnitFinder {
 
   bool isUnit(const Ids& ids) {
     std::vector<evidence::Body> bodies;
-    for (const std::string& id : ids) bodies.push_back(product_.measured(*product_.indexOf(id)));
+    for (const std::size_t body : product_.indicesOf(ids)) bodies.push_back(product_.measured(body));
     std::vector<const evidence::Body*> all;
     for (const evidence::Body& body : bodies) all.push_back(&body);
     return ids.size() < 2 || evidence::areOneUnit(all, said_, placed_);
   }
 
-  Ids namesOf(const Ids& ids) const {
-    Ids names;
-    for (const std::string& id : ids) names.push_back(product_.bodies[*product_.indexOf(id)].shown());
+  Names namesOf(const Ids& ids) const {
+    Names names;
+    for (const BodyId& id : ids) names.push_back(product_.body(id).shown());
     return names;
   }
 
-  std::vector<Ids> take() { return std::move(found_); }
+  std::vector<Names> take() { return std::move(found_); }
 
  private:
   void add(const Ids& ids) {
@@ -50,7 +51,7 @@ class StatedUnitFinder {
   const AssembledProduct& product_;
   std::vector<Ids> said_;
   evidence::PlacedBodies placed_;
-  std::vector<Ids> found_;
+  std::vector<Names> found_;
 };
 
 }  // namespace
@@ -64,7 +65,7 @@ StatedUnits statedUnitsOf(const AssemblyPlan& plan, const AssembledProduct& prod
     for (const std::size_t body : bodiesNamed(product, name)) isSaid[body] = true;
   }
   const bool isBaseSaid = std::all_of(plan.staying.begin(), plan.staying.end(),
-                                      [&](const std::string& id) { return isSaid[*product.indexOf(id)]; });
+                                      [&](const BodyId& id) { return isSaid[product.indexOf(id)]; });
   StatedUnits stated;
   if (!isBaseSaid && !finder.isUnit(plan.staying)) stated.base = finder.namesOf(plan.staying);
   stated.leaving = finder.take();

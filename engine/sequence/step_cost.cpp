@@ -105,7 +105,7 @@ double StepCost::of(const StepFigures& figures) const {
   const double cost = expression_.number([&](const std::string& name) -> RuleValue {
     if (const NamedFigure* figure = figureNamed(name)) return figure->value(figures);
     const std::string attribute = name.substr(kOfBody.size());
-    const auto body = attributes_.find(figures.id);
+    const auto body = attributes_.find(figures.id.text());
     if (body != attributes_.end() && body->second.count(attribute) != 0) return ruleValue(body->second.at(attribute));
     const auto type = typeOfAttribute(attribute, attributes_);
     return type == RuleType::Text ? RuleValue(std::string()) : RuleValue(0.0);

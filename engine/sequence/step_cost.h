@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/base/message.h"
+#include "engine/model/body_id.h"
 #include "engine/planning/coarse/expression.h"
 #include "engine/sequence/order_rules.h"
 
@@ -21,7 +22,7 @@ struct StepFigures {
   double bodies = 1.0;          ///< number of bodies that leave
   double mass = 0.0;            ///< mass of the bodies that leave, kg
   bool fragile = false;         ///< one of the bodies that leave is fragile
-  std::string id;               ///< id of the first body that leaves, for its attributes
+  BodyId id;                    ///< id of the first body that leaves, for its attributes
   bool toolBlocked = false;     ///< no tool that turns the fastener has access
   bool taskChange = false;      ///< the step before is of another task, or it is the first step
   double assemblyChange = 0.0;  ///< share of the levels of the file's tree that it does not share with the step before

@@ -11,8 +11,8 @@ namespace glissade {
 namespace {
 
 /// The ids of the bodies that are there: in the line of a group the other bodies do not exist.
-std::vector<std::string> idsOf(const std::vector<std::size_t>& bodies, const BodySet& present,
-                               const AssembledProduct& product) {
+std::vector<BodyId> idsOf(const std::vector<std::size_t>& bodies, const BodySet& present,
+                          const AssembledProduct& product) {
   BodyGroup there;
   for (const std::size_t body : bodies) {
     if (present[body]) there.push_back(body);

@@ -28,7 +28,7 @@ std::vector<std::set<std::size_t>> allBefore(const AssemblyPlan& plan) {
 
 bool isStated(const AssemblyStep& step, const Fit& fit) {
   return std::any_of(step.allowances.begin(), step.allowances.end(), [&](const Allowance& each) {
-    const std::string& moving = each.moving.empty() ? step.body : each.moving;
+    const BodyId& moving = each.moving.empty() ? step.body : each.moving;
     return each.body == fit.body && moving == fit.moving && each.yields == fit.yields;
   });
 }
@@ -41,7 +41,7 @@ void stateAllowancesOfAllOrders(AssemblyPlan& plan, const std::vector<BodyGroup>
   const std::vector<std::set<std::size_t>> before = allBefore(plan);
   for (std::size_t step = 0; step < plan.steps.size(); ++step) {
     BodySet others(product.bodies.size(), false);
-    std::set<std::string> left;
+    std::set<BodyId> left;
     for (std::size_t earlier = 0; earlier < step; ++earlier) {
       const bool isBefore = before[step].count(earlier + 1) != 0;
       for (const std::size_t body : groups[earlier]) {

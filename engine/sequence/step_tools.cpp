@@ -24,7 +24,7 @@ class ToolMeshes {
   ToolMeshes(const AssemblyPlan& plan, const SequenceQuestion& question) {
     for (const AssemblyStep& step : plan.steps) {
       if (step.tool.kind == ToolKind::None) continue;
-      for (const ToolUse& use : question.tools[*question.product.indexOf(step.body)]) {
+      for (const ToolUse& use : question.tools[question.product.indexOf(step.body)]) {
         const MeshPtr& mesh = question.product.bodies[use.turned].mesh;
         const auto [at, isNew] = heads_.try_emplace(mesh);
         if (isNew) at->second = headOf(*mesh);
@@ -90,7 +90,7 @@ ToolFacts::ToolFacts(const AssemblyPlan& plan, const SequenceQuestion& question)
   for (const AssemblyStep& step : plan.steps) {
     steps_.emplace_back();
     if (step.tool.kind == ToolKind::None) continue;
-    const std::size_t body = *question.product.indexOf(step.body);
+    const std::size_t body = question.product.indexOf(step.body);
     steps_.back().body = body;
     for (const ToolUse& use : question.tools[body]) {
       const RigidBody& turned = question.product.bodies[use.turned];

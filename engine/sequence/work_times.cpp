@@ -37,8 +37,7 @@ class StepTimer {
   double fetchOf(const AssemblyStep& step) const {
     double mass = 0.0;
     Box3 box;
-    for (const std::string& id : step.bodies()) {
-      const std::size_t body = *product_.indexOf(id);
+    for (const std::size_t body : product_.indicesOf(step.bodies())) {
       const RigidBody& rigid = product_.bodies[body];
       mass += masses_[body] > 0.0 ? masses_[body] : densities_[body] * solidMass(*rigid.mesh).volume;
       box.extend(boundingBox(*rigid.mesh, rigid.X_WB));

@@ -4,8 +4,6 @@
 namespace glissade {
 namespace {
 
-constexpr std::size_t kAnyNumber = SIZE_MAX;  // the size of the file is limited
-
 /// Adds the parameters that were added after the study was run. Their defaults give the former behaviour. Parameters
 /// that depend on the object existed from the beginning.
 void completeParameters(StudyCell& cell, const JsonCursor& at) {

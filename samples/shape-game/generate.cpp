@@ -198,7 +198,8 @@ std::string toObj(const TriangleMesh& mesh) {
 BodyDescription box(const std::string& id, Mobility mobility, const Vector3& least, const Vector3& most,
                     const Colour& colour) {
   BodyDescription body;
-  body.id = body.name = id;
+  body.id = BodyId(id);
+  body.name = id;
   body.mobility = mobility;
   body.geometry = BoxGeometry{(most - least) * kUnit};
   body.pose = Pose::translation((least + most) / 2.0 * kUnit);
@@ -221,12 +222,13 @@ Scenario scenarioOf(const Preset& preset, const Piece& piece) {
   scenario.assets = {{"plate", preset.name + "-plate.obj", "", 1.0, UpAxis::Z},
                      {"object", preset.name + "-" + piece.shape + ".obj", "", 1.0, UpAxis::Z}};
   BodyDescription o1;
-  o1.id = o1.name = "O1";
+  o1.id = "O1";
+  o1.name = "O1";
   o1.geometry = MeshGeometry{"plate"};
   o1.colour = Colour{0.62, 0.66, 0.72};
   scenario.bodies = {o1, box("O2", Mobility::Static, {14.4, 2.2, 0.0}, {15.0, 16.0, kSide}, {0.62, 0.66, 0.72}),
                      box("O3", Mobility::Mobile, {10.0, 13.0, 9.0}, {12.0, 17.0, 15.0}, {0.85, 0.65, 0.35})};
-  scenario.object.first().id = piece.shape;
+  scenario.object.first().id = BodyId(piece.shape);
   scenario.object.first().name = piece.shape;
   scenario.object.first().geometry = MeshGeometry{"object"};
   scenario.object.first().colour = piece.colour;

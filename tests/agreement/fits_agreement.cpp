@@ -99,8 +99,8 @@ class Agreement {
     }
   }
 
-  static std::string nameOf(const AssembledProduct& product, const std::string& id) {
-    return product.bodies[*product.indexOf(id)].name;
+  static std::string nameOf(const AssembledProduct& product, const BodyId& id) {
+    return product.bodies[product.indexOf(id)].name;
   }
 
   void report(const std::string& who, const std::string& moving, const std::string& other, const std::string& said) {

@@ -234,7 +234,7 @@ Scenario scenarioWithNames(const std::string& tail) {
   scenario.object.first().geometry = BoxGeometry{{0.2, 0.2, 0.2}};
   for (const double side : {-1.0, 1.0}) {
     BodyDescription block;
-    block.id = side < 0.0 ? "left" : "right";
+    block.id = side < 0.0 ? BodyId("left") : BodyId("right");
     block.name = block.id + tail;
     block.geometry = BoxGeometry{{0.2, 1.0, 1.0}};
     block.pose.position.x() = side * 0.3;

@@ -14,11 +14,13 @@ class DailyWindow : public WindowTest {
   /// A cube of 0.2 m that starts at x, between two blocks with a gap of 0.4 m.
   QString scenarioWithCubeAt(double x) {
     Scenario scenario;
-    scenario.object.first().id = scenario.object.first().name = "cube";
+    scenario.object.first().id = "cube";
+    scenario.object.first().name = "cube";
     scenario.object.first().geometry = BoxGeometry{{0.2, 0.2, 0.2}};
     for (const double side : {-1.0, 1.0}) {
       BodyDescription block;
-      block.id = block.name = side < 0.0 ? "left" : "right";
+      block.name = side < 0.0 ? "left" : "right";
+      block.id = BodyId(block.name);
       block.geometry = BoxGeometry{{0.2, 1.0, 1.0}};
       block.pose.position.x() = side * 0.3;
       scenario.bodies.push_back(block);

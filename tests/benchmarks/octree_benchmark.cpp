@@ -17,7 +17,7 @@ std::vector<RigidBody> hall() {
   std::vector<RigidBody> bodies;
   for (int i = 0; i < 8; ++i) {
     RigidBody body;
-    body.id = std::to_string(i);
+    body.id = BodyId(std::to_string(i));
     body.mesh = std::make_shared<const TriangleMesh>(
         makeBox({stream.uniform(0.5, 2.5), stream.uniform(0.5, 2.5), stream.uniform(0.5, 2.5)}));
     for (int axis = 0; axis < 3; ++axis) body.X_WB.position[axis] = stream.uniform(1.0, 9.0);

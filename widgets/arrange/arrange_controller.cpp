@@ -8,6 +8,7 @@
 
 #include "engine/base/number_text.h"
 #include "engine/base/quantity_text.h"
+#include "widgets/controls/body_id_text.h"
 #include "widgets/scene3d/scale_bar.h"
 #include "widgets/workbench/arranged_item.h"
 #include "widgets/workbench/workbench.h"
@@ -132,7 +133,7 @@ void ArrangeController::connectTool() {
           [this](const AssemblyItem& item, const Pose& X_WB) { assembly_.place(item, X_WB); });
   connect(&tool_, &ArrangeTool::nudged, this, [this](const AssemblyItem& item, const Pose& X_WB) {
     const QString key = QStringLiteral("nudge %1 %2").arg(static_cast<int>(item.kind));
-    assembly_.place(item, X_WB, key.arg(QString::fromStdString(item.bodyId)));
+    assembly_.place(item, X_WB, key.arg(toQString(item.bodyId)));
   });
   connect(&tool_, &ArrangeTool::left, bar_, &ArrangeBar::left);
   connect(&tool_, &ArrangeTool::snapped, bar_, &ArrangeBar::showSnap);

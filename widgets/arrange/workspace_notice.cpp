@@ -25,7 +25,7 @@ std::vector<WorkspaceNotice::Outside> WorkspaceNotice::findOutside(const LoadedS
     const auto X_WB = poseOf(scenario.scenario, item);
     if (X_WB && !inside) outside.push_back({item, *X_WB});
   };
-  std::map<std::string, bool> inside;  // by body; a body of several parts is inside if one part is
+  std::map<BodyId, bool> inside;  // by body; a body of several parts is inside if one part is
   for (const RigidBody& body : scenario.obstacles) {
     inside[bodyIdOf(body.id)] |= workspace.intersects(boundingBox(*body.mesh, body.X_WB));
   }

@@ -4,6 +4,7 @@
 
 #include "engine/files/product_file.h"
 #include "engine/fits/fit_edits.h"
+#include "widgets/controls/body_id_text.h"
 
 namespace glissade {
 namespace {
@@ -73,7 +74,7 @@ void FitsController::showChosen() {
   const PairFit* fit = panel_->chosen();
   if (fit == nullptr) return;
   SemanticSelection selection;
-  selection.bodies = {QString::fromStdString(fit->a), QString::fromStdString(fit->b)};
+  selection.bodies = {toQString(fit->a), toQString(fit->b)};
   bench_.document.semantics().select(selection);
 }
 

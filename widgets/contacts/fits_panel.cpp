@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/fits/giving_way.h"
+#include "widgets/controls/body_id_text.h"
 #include "widgets/controls/diagnostic_text.h"
 #include "widgets/controls/length_text.h"
 #include "widgets/controls/row_search.h"
@@ -134,8 +135,8 @@ void FitsPanel::addRow(std::size_t index) {
   row->setToolTip(Status, wayText(fit));
   row->setText(BodyA, QString::fromStdString(fit.shown[0]));
   row->setText(BodyB, QString::fromStdString(fit.shown[1]));
-  row->setToolTip(BodyA, QString::fromStdString(fit.a));
-  row->setToolTip(BodyB, QString::fromStdString(fit.b));
+  row->setToolTip(BodyA, toQString(fit.a));
+  row->setToolTip(BodyB, toQString(fit.b));
   row->setData(Kind, kIndexRole, static_cast<qulonglong>(index));
   if (fit.status() != FitStatus::Clash) return;
   QFont bold = table_->font();
@@ -162,7 +163,7 @@ const PairFit* FitsPanel::chosen() const {
 void FitsPanel::showBodies(const QSet<QString>& ids) {
   goToRow(*table_, [&](const QTreeWidgetItem& row) {
     const PairFit& fit = (*fits_)[static_cast<std::size_t>(row.data(Kind, kIndexRole).toULongLong())];
-    return ids.contains(QString::fromStdString(fit.a)) || ids.contains(QString::fromStdString(fit.b));
+    return ids.contains(toQString(fit.a)) || ids.contains(toQString(fit.b));
   });
 }
 
@@ -170,7 +171,7 @@ bool FitsPanel::choose(const QString& a, const QString& b) {
   for (int i = 0; i < table_->topLevelItemCount(); ++i) {
     QTreeWidgetItem* row = table_->topLevelItem(i);
     const PairFit& fit = (*fits_)[static_cast<std::size_t>(row->data(Kind, kIndexRole).toULongLong())];
-    const std::pair ids{QString::fromStdString(fit.a), QString::fromStdString(fit.b)};
+    const std::pair ids{toQString(fit.a), toQString(fit.b)};
     const bool found = ids == std::pair(a, b) || ids == std::pair(b, a);
     if (!found) continue;
     table_->setCurrentItem(row);

@@ -115,9 +115,9 @@ std::size_t JointTable::count(JointRowState state) const {
       std::count_if(rows_.begin(), rows_.end(), [state](const JointRow& row) { return row.state == state; }));
 }
 
-QString JointTable::shown(const std::string& id) const {
-  const auto body = product_->indexOf(id);
-  return QString::fromStdString(body ? product_->bodies[*body].shown() : id);
+QString JointTable::shown(const BodyId& id) const {
+  const auto body = product_->find(id);
+  return QString::fromStdString(body ? product_->bodies[*body].shown() : id.text());
 }
 
 bool isSameJoint(JointKey one, JointKey other) {

@@ -53,7 +53,7 @@ class JointTable {
   /// This table with other statements about the same found joints.
   JointTable with(std::vector<JointEdit> said) const { return {product_, found_, std::move(said)}; }
   /// The displayed name of the body; its id if there is no such body.
-  QString shown(const std::string& id) const;
+  QString shown(const BodyId& id) const;
 
  private:
   void addRows(const Joints& joints, const std::vector<JointEdit>& sound);

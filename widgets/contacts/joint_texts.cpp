@@ -37,9 +37,9 @@ QString turnsText(const JointThread& thread) {
   return Joined::tr("%1 turns").arg(QLocale().toString(thread.turns(), 'f', 1));
 }
 
-QStringList shownOf(const std::vector<std::string>& ids, const JointTable& table) {
+QStringList shownOf(const std::vector<BodyId>& ids, const JointTable& table) {
   QStringList names;
-  for (const std::string& id : ids) names << table.shown(id);
+  for (const BodyId& id : ids) names << table.shown(id);
   return names;
 }
 

@@ -7,6 +7,7 @@
 #include "engine/files/sequence_knowledge.h"
 #include "widgets/contacts/joint_dialog.h"
 #include "widgets/contacts/joint_draft.h"
+#include "widgets/controls/body_id_text.h"
 
 namespace glissade {
 namespace {
@@ -28,7 +29,7 @@ std::size_t countOf(const JointsPanel& panel, JointKind kind) {
 }
 
 /// The state of the joint of a body; "none" if there is no such row.
-std::string stateOf(const JointsPanel& panel, JointKind kind, const std::string& body) {
+std::string stateOf(const JointsPanel& panel, JointKind kind, const BodyId& body) {
   if (!panel.table()) return "none";
   for (const JointRow& row : panel.table()->rows()) {
     if (row.key.kind == kind && row.key.body == body) return kJointRowStateNames.of(row.state);
@@ -43,7 +44,7 @@ void addJointCommands(const Workbench& bench, JointsController& joints) {
   scripts.add("select-joint", 2, [&panel](const Words& words) -> Outcome {
     const auto kind = kindIn(words[0]);
     if (!kind) return kind.error();
-    if (panel.choose(*kind, words[1])) return Done{};
+    if (panel.choose(*kind, BodyId(words[1]))) return Done{};
     return wrongCommand("there is no " + words[0] + " of '" + words[1] + "'", "Find the joints first.");
   });
   scripts.add("make-joint", 1, [&joints](const Words& words) -> Outcome {
@@ -65,7 +66,7 @@ void addJointCommands(const Workbench& bench, JointsController& joints) {
   scripts.add("expect-joint", 3, [&panel](const Words& words) -> Outcome {
     const auto kind = kindIn(words[0]);
     if (!kind) return kind.error();
-    const std::string state = stateOf(panel, *kind, words[1]);
+    const std::string state = stateOf(panel, *kind, BodyId(words[1]));
     if (state == words[2]) return Done{};
     return unmetExpectation("the " + words[0] + " of '" + words[1] + "' is " + state + ", not " + words[2]);
   });
@@ -206,10 +207,10 @@ void JointsController::showChosen() {
   SemanticSelection selection;
   for (const JointRow* row : panel_->chosen()) {
     const AssembledProduct& product = panel_->table()->product();
-    selection.bodies.insert(QString::fromStdString(row->key.body));
-    for (const std::string& id : row->key.others) selection.bodies.insert(QString::fromStdString(id));
+    selection.bodies.insert(toQString(row->key.body));
+    for (const BodyId& id : row->key.others) selection.bodies.insert(toQString(id));
     for (const std::size_t body : row->joint.clamped) {
-      selection.bodies.insert(QString::fromStdString(product.bodies[body].id));
+      selection.bodies.insert(toQString(product.bodies[body].id));
     }
   }
   if (!selection.bodies.isEmpty()) bench_.document.semantics().select(selection);
@@ -265,7 +266,7 @@ std::vector<std::size_t> JointsController::selectedBodies() const {
   std::vector<std::size_t> bodies;
   if (!panel_->table()) return bodies;
   for (const QString& id : bench_.document.semantics().selectedBodies()) {
-    if (const auto body = panel_->table()->product().indexOf(id.toStdString())) bodies.push_back(*body);
+    if (const auto body = panel_->table()->product().find(toBodyId(id))) bodies.push_back(*body);
   }
   std::sort(bodies.begin(), bodies.end());
   return bodies;

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "widgets/contacts/joint_texts.h"
+#include "widgets/controls/body_id_text.h"
 #include "widgets/controls/row_search.h"
 
 namespace glissade {
@@ -20,9 +21,9 @@ constexpr int kJointIndexRole = Qt::UserRole;  // index of the row
 
 QString idsText(const JointRow& row, const JointTable& table) {
   QStringList ids;
-  for (const std::string& id : row.key.others) ids << QString::fromStdString(id);
+  for (const BodyId& id : row.key.others) ids << toQString(id);
   for (const std::size_t body : row.joint.clamped) {
-    ids << JointsPanel::tr("clamps %1").arg(QString::fromStdString(table.product().bodies[body].id));
+    ids << JointsPanel::tr("clamps %1").arg(toQString(table.product().bodies[body].id));
   }
   return ids.join(QLatin1Char('\n'));
 }
@@ -103,7 +104,7 @@ void JointsPanel::addRow(std::size_t index) {
   item->setData(JointType, kJointIndexRole, static_cast<qulonglong>(index));
   item->setText(JointType, jointKindText(row.key.kind));
   item->setText(JointBody, table_->shown(row.key.body));
-  item->setToolTip(JointBody, QString::fromStdString(row.key.body));
+  item->setToolTip(JointBody, toQString(row.key.body));
   item->setText(JointWith, joinedWithText(row, *table_));
   item->setToolTip(JointWith, idsText(row, *table_));
   item->setText(JointSize, jointSizeText(row.joint));
@@ -156,14 +157,14 @@ void JointsPanel::showBodies(const QSet<QString>& ids) {
   if (!table_) return;
   const auto isAbout = [&](const QTreeWidgetItem& item) {
     const JointKey& key = rowOf(item).key;
-    return ids.contains(QString::fromStdString(key.body)) ||
+    return ids.contains(toQString(key.body)) ||
            std::any_of(key.others.begin(), key.others.end(),
-                       [&ids](const std::string& id) { return ids.contains(QString::fromStdString(id)); });
+                       [&ids](const BodyId& id) { return ids.contains(toQString(id)); });
   };
   if (goToRow(*rows_, isAbout)) showDetails();
 }
 
-bool JointsPanel::choose(JointKind kind, const std::string& body) {
+bool JointsPanel::choose(JointKind kind, const BodyId& body) {
   for (int i = 0; table_ && i < rows_->topLevelItemCount(); ++i) {
     QTreeWidgetItem* item = rows_->topLevelItem(i);
     const JointRow& row = rowOf(*item);

@@ -31,7 +31,7 @@ class JointsPanel final : public QWidget {
   /// The selected rows, in the order of the table.
   std::vector<const JointRow*> chosen() const;
   /// Selects only the row of this body's joint of this kind. False if there is none.
-  bool choose(JointKind kind, const std::string& body);
+  bool choose(JointKind kind, const BodyId& body);
   /// Goes to the first row about one of these bodies, which were selected elsewhere; emits no signal.
   void showBodies(const QSet<QString>& ids);
 

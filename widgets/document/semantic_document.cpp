@@ -6,6 +6,7 @@
 #include "engine/places/edit_binding.h"
 #include "engine/places/held_edits.h"
 #include "engine/planning/planner.h"
+#include "widgets/controls/body_id_text.h"
 #include "widgets/document/value_command.h"
 
 namespace glissade {
@@ -39,8 +40,9 @@ void SemanticDocument::rearrange(const LoadedScenario& scenario) {
   selection.places = selection_.places;
   for (const QString& id : selection_.bodies) {
     const std::string known = id.toStdString();
-    const bool isThere = product_.find(known) || std::any_of(bodies_.begin(), bodies_.end(),
-                                                             [&](const RigidBody& body) { return body.id == known; });
+    const bool isThere =
+        product_.find(known) ||
+        std::any_of(bodies_.begin(), bodies_.end(), [&](const RigidBody& body) { return body.id.text() == known; });
     if (isThere) selection.bodies.insert(id);
   }
   apply(semanticEditsOf(scenario.scenario));
@@ -95,7 +97,7 @@ ProvenValue SemanticDocument::bodyValue(const QString& bodyId, const std::string
     const AttributeValue* value = said(product_.nodes()[*node].id, attribute);
     if (value != nullptr) return {*value, Provenance::Inherited};
   }
-  const auto body = std::find_if(bodies_.begin(), bodies_.end(), [&](const RigidBody& b) { return b.id == id; });
+  const auto body = std::find_if(bodies_.begin(), bodies_.end(), [&](const RigidBody& b) { return b.id.text() == id; });
   if (attribute == "mobility" && body != bodies_.end()) {
     return {std::string(kMobilityNames.of(body->mobility)), Provenance::Computed};
   }
@@ -282,7 +284,7 @@ QSet<QString> SemanticDocument::selectedBodies() const {
       bodies.insert(id);
       continue;
     }
-    for (const std::string& body : product_.bodiesBelow(*node)) bodies.insert(QString::fromStdString(body));
+    for (const BodyId& body : product_.bodiesBelow(*node)) bodies.insert(toQString(body));
   }
   return bodies;
 }

@@ -10,6 +10,7 @@
 #include "engine/files/forbidden_places_of.h"
 #include "engine/files/run_record.h"
 #include "engine/files/scenario_io.h"
+#include "widgets/controls/body_id_text.h"
 #include "widgets/document/value_command.h"
 
 namespace glissade {
@@ -248,7 +249,7 @@ void WorkbenchDocument::cancelEdits() {
 
 Outcome WorkbenchDocument::place(const AssemblyItem& item, const Pose& X_WB, const QString& mergeKey) {
   if (queue_.isEmpty() && poseOf(current(), item) == X_WB) return Done{};
-  const QString text = tr("Move %1").arg(item.kind == AssemblyItem::Kind::Body    ? QString::fromStdString(item.bodyId)
+  const QString text = tr("Move %1").arg(item.kind == AssemblyItem::Kind::Body    ? toQString(item.bodyId)
                                          : item.kind == AssemblyItem::Kind::Start ? tr("the start")
                                                                                   : tr("the goal"));
   return edit(

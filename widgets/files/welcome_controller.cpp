@@ -41,7 +41,7 @@ std::vector<WelcomeEntry> sampleEntries(const QString& folder) {
 /// Moves the camera near to the bodies, because the workspace of a small product is much larger than its bodies.
 void bringBodiesNear(const Workbench& bench) {
   const ScenarioPtr& scenario = bench.document.scenario();
-  std::set<std::string> ids;
+  std::set<BodyId> ids;
   for (const RigidBody& body : rigidBodiesOf(*scenario)) ids.insert(body.id);
   bench.scene.view().camera().zoomTo(bench.scene.view().extentOf(ids));
   bench.scene.refresh();

@@ -133,7 +133,7 @@ InstructionPictures instructionPictures(const WorkInstruction& instruction, cons
                                         const WorkWatch& watch) {
   InstructionPictures pictures;
   pictures.finished = pngOf(drawer.finished(instruction.bodies, kScreenPicture));
-  const auto addPart = [&](const std::vector<std::string>& bodies) {
+  const auto addPart = [&](const std::vector<BodyId>& bodies) {
     std::string& picture = pictures.parts[bodies];
     if (picture.empty()) picture = pngOf(drawer.parts(bodies, kScreenPart));
   };

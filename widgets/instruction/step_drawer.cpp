@@ -196,12 +196,12 @@ class PanelPicture {
  private:
   Projection projection() const { return {panel_.view.toEye(), panel_.view.up()}; }
 
-  const RigidBody& body(const std::string& id) const { return product_.bodies[*product_.indexOf(id)]; }
+  const RigidBody& body(const BodyId& id) const { return product_.body(id); }
 
   Scene sceneOf(bool isNear) const {
     Scene scene;
     Box3 box_W;
-    for (const std::string& id : panel_.present) {
+    for (const BodyId& id : panel_.present) {
       const RigidBody& there = body(id);
       const bool isStart = panel_.steps.empty();
       scene.bodies.push_back(
@@ -211,7 +211,7 @@ class PanelPicture {
     std::vector<Box3> coming;
     for (const AssemblyStep& step : panel_.steps) {
       Box3 box;
-      for (const std::string& id : step.bodies()) box.extend(boundingBox(*body(id).mesh, body(id).X_WB));
+      for (const BodyId& id : step.bodies()) box.extend(boundingBox(*body(id).mesh, body(id).X_WB));
       coming.push_back(box);
       box_W.extend(box);
     }
@@ -221,7 +221,7 @@ class PanelPicture {
       const double part = coming[i].diagonal().norm();
       const double apart = isNear ? kApartOfPartNear * part : kApartOfWhole * whole + kApartOfPart * part;
       const StepMotionPicture motion = stepMotionPicture(panel_.steps[i], product_, apart);
-      for (const std::string& id : panel_.steps[i].bodies()) {
+      for (const BodyId& id : panel_.steps[i].bodies()) {
         const RigidBody& comes = body(id);
         scene.bodies.push_back({comes.mesh, motion.moved * comes.X_WB, kComingFill, kComingLine, true});
         scene.box_V.extend(view.boxOf(*comes.mesh, comes.X_WB));
@@ -356,17 +356,17 @@ QImage StepDrawer::drawn(const std::vector<DrawnBody>& bodies, const QSize& pixe
   return lineDrawing(bodies, projection, pixels);
 }
 
-QImage StepDrawer::finished(const std::vector<std::string>& bodies, const QSize& pixels) const {
+QImage StepDrawer::finished(const std::vector<BodyId>& bodies, const QSize& pixels) const {
   std::vector<DrawnBody> all;
-  for (const std::string& id : bodies) {
+  for (const BodyId& id : bodies) {
     all.push_back({body(id).mesh, body(id).X_WB, softened(body(id).colour), kComingLine});
   }
   return drawn(all, pixels);
 }
 
-QImage StepDrawer::parts(const std::vector<std::string>& bodies, const QSize& pixels) const {
+QImage StepDrawer::parts(const std::vector<BodyId>& bodies, const QSize& pixels) const {
   std::vector<DrawnBody> all;
-  for (const std::string& id : bodies) all.push_back({body(id).mesh, body(id).X_WB, kPartFill, kComingLine});
+  for (const BodyId& id : bodies) all.push_back({body(id).mesh, body(id).X_WB, kPartFill, kComingLine});
   return drawn(all, pixels);
 }
 

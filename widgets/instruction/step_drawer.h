@@ -17,14 +17,14 @@ class StepDrawer {
   /// requests one.
   QImage panel(const InstructionPanel& panel, const QSize& pixels) const;
   /// Draws the bodies at their assembled poses, in their colours.
-  QImage finished(const std::vector<std::string>& bodies, const QSize& pixels) const;
+  QImage finished(const std::vector<BodyId>& bodies, const QSize& pixels) const;
   /// Draws the parts to be fetched.
-  QImage parts(const std::vector<std::string>& bodies, const QSize& pixels) const;
+  QImage parts(const std::vector<BodyId>& bodies, const QSize& pixels) const;
   /// Draws the whole product. Each body is at `moved` times its assembled pose.
   QImage exploded(const std::vector<Pose>& moved, const QSize& pixels) const;
 
  private:
-  const RigidBody& body(const std::string& id) const { return product_.bodies[*product_.indexOf(id)]; }
+  const RigidBody& body(const BodyId& id) const { return product_.body(id); }
   QImage drawn(const std::vector<DrawnBody>& bodies, const QSize& pixels) const;
 
   const AssembledProduct& product_;

@@ -10,6 +10,7 @@
 #include <functional>
 #include <numbers>
 
+#include "widgets/controls/body_id_text.h"
 #include "widgets/controls/length_text.h"
 #include "widgets/paths/clearance_curve.h"
 
@@ -69,7 +70,7 @@ std::vector<Figure> figures() {
          for (const auto& allowance : row.path->allowances) {
            const QString length = lengthText(allowance.allowance);
            lines << (allowance.hollow ? ComparePathsDialog::tr("accepted clash, %1").arg(length) : length) +
-                        QStringLiteral(" · ") + QString::fromStdString(allowance.body);
+                        QStringLiteral(" · ") + toQString(allowance.body);
          }
          return lines.isEmpty() ? QStringLiteral("–") : lines.join(QLatin1Char('\n'));
        },

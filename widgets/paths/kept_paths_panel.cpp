@@ -13,6 +13,7 @@
 #include <numbers>
 
 #include "engine/planning/planner.h"
+#include "widgets/controls/body_id_text.h"
 #include "widgets/controls/diagnostic_text.h"
 #include "widgets/controls/length_text.h"
 
@@ -37,7 +38,7 @@ QIcon swatch(const QColor& colour) {
 QString allowanceTip(const KeptPath& path) {
   QStringList lines;
   for (const auto& allowance : path.allowances) {
-    const QString body = QString::fromStdString(allowance.body);
+    const QString body = toQString(allowance.body);
     const QString length = lengthText(allowance.allowance);
     if (allowance.hollow) {
       lines << KeptPathsPanel::tr("accepted clash with %1, %2 deep").arg(body, length);
@@ -99,10 +100,9 @@ QString proofText(const KeptPathProof& proof) {
     case KeptPathState::Unknown: return QStringLiteral("… ") + KeptPathsPanel::tr("not certified yet");
     case KeptPathState::Holds: return QStringLiteral("✓ ") + KeptPathsPanel::tr("certified");
     case KeptPathState::Blocked:
-      return QStringLiteral("✗ ") +
-             (proof.blockedBy.empty()
-                  ? KeptPathsPanel::tr("blocked")
-                  : KeptPathsPanel::tr("blocked by %1").arg(QString::fromStdString(proof.blockedBy)));
+      return QStringLiteral("✗ ") + (proof.blockedBy.empty()
+                                         ? KeptPathsPanel::tr("blocked")
+                                         : KeptPathsPanel::tr("blocked by %1").arg(toQString(proof.blockedBy)));
     case KeptPathState::OtherEnds: return QStringLiteral("✗ ") + KeptPathsPanel::tr("other ends");
     case KeptPathState::OtherObject: break;
   }

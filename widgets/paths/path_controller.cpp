@@ -364,7 +364,7 @@ std::string PathController::verdict() const {
   if (!results_.refused) return "none";
   const std::vector<BlockedEdge>& blocked = results_.refused->blocked;
   const int body = blocked.empty() ? -1 : blocked.front().nearest.body;
-  return body < 0 ? "-" : bench_.document.scenario()->obstacles[static_cast<std::size_t>(body)].id;
+  return body < 0 ? "-" : bench_.document.scenario()->obstacles[static_cast<std::size_t>(body)].id.text();
 }
 
 void PathController::enableActions() {

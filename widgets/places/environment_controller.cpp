@@ -10,6 +10,7 @@
 #include "engine/files/scenario_bodies.h"
 #include "engine/places/place_identifier.h"
 #include "engine/planning/fine/coarse_preview.h"
+#include "widgets/controls/body_id_text.h"
 #include "widgets/controls/complexity_colour.h"
 #include "widgets/controls/diagnostic_text.h"
 #include "widgets/scene3d/environment_layers.h"
@@ -39,7 +40,7 @@ Outcome clickStep(const EnvironmentController& environment, const std::string& n
   return Done{};
 }
 
-bool hasBody(const LoadedScenario& scenario, const std::string& id) {
+bool hasBody(const LoadedScenario& scenario, const BodyId& id) {
   const auto& obstacles = scenario.obstacles;
   return isInObject(scenario, id) ||
          std::any_of(obstacles.begin(), obstacles.end(), [&id](const RigidBody& body) { return body.id == id; });
@@ -49,11 +50,11 @@ Outcome select(WorkbenchDocument& workbench, const EnvironmentController& enviro
                const std::string& name) {
   SemanticDocument& document = workbench.semantics();
   SemanticSelection selection;
-  if (kind == "body" && workbench.scenario() && hasBody(*workbench.scenario(), name)) {
+  if (kind == "body" && workbench.scenario() && hasBody(*workbench.scenario(), BodyId(name))) {
     selection.bodies.insert(QString::fromStdString(name));
   } else if (kind == "bodies" && workbench.scenario()) {  // "nut+bolt"
     for (const QString& id : QString::fromStdString(name).split(QLatin1Char('+'))) {
-      if (hasBody(*workbench.scenario(), id.toStdString())) selection.bodies.insert(id);
+      if (hasBody(*workbench.scenario(), toBodyId(id))) selection.bodies.insert(id);
     }
   } else if (kind == "step") {
     return clickStep(environment, name);
@@ -322,7 +323,7 @@ void EnvironmentController::showEnvironment() {
   }
   const SemanticSelection& selection = document_.selection();
   picture.selectedPlaces.insert(selection.places.begin(), selection.places.end());
-  for (const QString& body : document_.selectedBodies()) picture.selectedBodies.insert(body.toStdString());
+  for (const QString& body : document_.selectedBodies()) picture.selectedBodies.insert(toBodyId(body));
   bench_.scene.view().setEnvironment(picture);
   bench_.scene.refresh();
 }

@@ -65,7 +65,7 @@ void MilestoneTool::drop() {
     emit refused({ErrorKind::InCollision,
                   "",
                   "",
-                  {GLISSADE_TEXT("the milestone would be in collision with '%1'"), {body.id}},
+                  {GLISSADE_TEXT("the milestone would be in collision with '%1'"), {body.id.text()}},
                   GLISSADE_TEXT("Drop it where the object is free.")});
   } else if (!(pose == before)) {
     document_.semantics().setMilestone(border, pose);

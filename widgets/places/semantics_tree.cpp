@@ -5,6 +5,7 @@
 #include <QLocale>
 
 #include "engine/model/body_path.h"
+#include "widgets/controls/body_id_text.h"
 #include "widgets/controls/colour_swatch.h"
 #include "widgets/controls/complexity_colour.h"
 #include "widgets/controls/length_text.h"
@@ -140,7 +141,7 @@ void SemanticsTree::showBodies() {
   cut(*bodies_, static_cast<int>(bodies.size()));
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     QTreeWidgetItem* item = child(*bodies_, static_cast<int>(i));
-    const QString id = QString::fromStdString(bodies[i].id);
+    const QString id = toQString(bodies[i].id);
     item->setText(0, QString::fromStdString(bodies[i].shown()));
     item->setIcon(0, swatch(bodies[i].colour));
     item->setText(1, document_.isMoved(i) ? tr("moving part")

@@ -10,6 +10,7 @@
 
 #include "engine/base/number_text.h"
 #include "engine/files/scenario_bodies.h"
+#include "widgets/controls/body_id_text.h"
 #include "widgets/controls/length_text.h"
 #include "widgets/product/end_clearance.h"
 #include "widgets/workbench/arranged_item.h"
@@ -32,7 +33,7 @@ Diagnostic noScenario() { return wrongCommand("no scenario is open", "Open one f
 AssemblyItem itemOf(const std::string& what) {
   if (what == "start") return {AssemblyItem::Kind::Start, {}};
   if (what == "goal") return {AssemblyItem::Kind::Goal, {}};
-  return {AssemblyItem::Kind::Body, what};
+  return {AssemblyItem::Kind::Body, BodyId(what)};
 }
 
 /// "1,2.5,-3"
@@ -167,7 +168,7 @@ AssemblyController::AssemblyController(const Workbench& bench, PartImport& parts
   });
   connect(scenePanel_, &ScenePanel::itemSelectionChanged, this, &AssemblyController::enableActions);
   connect(scenePanel_, &ScenePanel::bodyRenamed, this, [this](const QString& id, const QString& name) {
-    editScenario(tr("Rename %1").arg(id), [id = id.toStdString(), name = name.toStdString()](Scenario& scenario) {
+    editScenario(tr("Rename %1").arg(id), [id = toBodyId(id), name = name.toStdString()](Scenario& scenario) {
       return renameBody(id, name, scenario);
     });
   });
@@ -177,14 +178,14 @@ AssemblyController::AssemblyController(const Workbench& bench, PartImport& parts
   connect(scenePanel_, &ScenePanel::endChosen, this, [this](AssemblyItem::Kind end) { choose(AssemblyItem{end, {}}); });
   connect(placement_, &PlacementPanel::placed, this, [this](const Pose& X_WB) {
     const QString key = QStringLiteral("place %1 %2").arg(static_cast<int>(chosen_->kind));
-    place(*chosen_, X_WB, key.arg(QString::fromStdString(chosen_->bodyId)));
+    place(*chosen_, X_WB, key.arg(toQString(chosen_->bodyId)));
   });
   connect(placement_, &PlacementPanel::pointChosen, this, &AssemblyController::showPlacement);
   connectActions();
   enableActions();
   addAssemblyCommands(bench, parts);
   bench.scripts.add("choose-left-out", 1, [this](const ScriptCommands::Words& words) -> Outcome {
-    if (scenePanel_->chooseLeftOut(words[0])) return Done{};
+    if (scenePanel_->chooseLeftOut(BodyId(words[0]))) return Done{};
     return wrongCommand("'" + words[0] + "' is not left out");
   });
   bench.scripts.add("expect-placed-by", 1, [this](const ScriptCommands::Words& words) -> Outcome {
@@ -263,23 +264,23 @@ void AssemblyController::editScenario(const QString& text, const std::function<O
 }
 
 /// Ids of the selected bodies of the scenario, including those of the object.
-std::set<std::string> AssemblyController::selectedOfAll() const {
-  std::set<std::string> ids;
-  for (const QString& id : document_.semantics().selectedBodies()) ids.insert(bodyIdOf(id.toStdString()));
+std::set<BodyId> AssemblyController::selectedOfAll() const {
+  std::set<BodyId> ids;
+  for (const QString& id : document_.semantics().selectedBodies()) ids.insert(bodyIdOf(toBodyId(id)));
   return ids;
 }
 
 /// Ids of the selected bodies, without those of the object.
-std::set<std::string> AssemblyController::selectedBodies() const {
-  std::set<std::string> ids = selectedOfAll();
+std::set<BodyId> AssemblyController::selectedBodies() const {
+  std::set<BodyId> ids = selectedOfAll();
   if (!document_.scenario()) return ids;
   for (const BodyDescription& body : document_.scenario()->scenario.object.bodies) ids.erase(body.id);
   return ids;
 }
 
-std::vector<std::string> AssemblyController::selectedToMove() const {
-  std::set<std::string> ids = selectedOfAll();
-  std::vector<std::string> ordered;
+std::vector<BodyId> AssemblyController::selectedToMove() const {
+  std::set<BodyId> ids = selectedOfAll();
+  std::vector<BodyId> ordered;
   for (const BodyDescription& body : document_.scenario()->scenario.object.bodies) {
     if (ids.erase(body.id) > 0) ordered.push_back(body.id);
   }
@@ -288,26 +289,26 @@ std::vector<std::string> AssemblyController::selectedToMove() const {
 }
 
 void AssemblyController::removeSelected() {
-  const std::set<std::string> ids = selectedBodies();
-  editScenario(ids.size() == 1 ? tr("Remove %1").arg(QString::fromStdString(*ids.begin())) : tr("Remove bodies"),
+  const std::set<BodyId> ids = selectedBodies();
+  editScenario(ids.size() == 1 ? tr("Remove %1").arg(toQString(*ids.begin())) : tr("Remove bodies"),
                [&ids](Scenario& scenario) { return editEach(ids, removeBody, scenario); });
 }
 
 void AssemblyController::leaveOutSelected() {
-  const std::set<std::string> ids = selectedBodies();
-  editScenario(ids.size() == 1 ? tr("Exclude %1").arg(QString::fromStdString(*ids.begin())) : tr("Exclude bodies"),
+  const std::set<BodyId> ids = selectedBodies();
+  editScenario(ids.size() == 1 ? tr("Exclude %1").arg(toQString(*ids.begin())) : tr("Exclude bodies"),
                [&ids](Scenario& scenario) { return editEach(ids, leaveOut, scenario); });
 }
 
 void AssemblyController::putBackSelected() {
-  const std::vector<std::string> ids = scenePanel_->chosenLeftOut();
+  const std::vector<BodyId> ids = scenePanel_->chosenLeftOut();
   editScenario(tr("Include bodies"), [&ids](Scenario& scenario) { return editEach(ids, putBack, scenario); });
 }
 
 /// Marks the selected bodies as moving. Selected bodies of the object keep moving, so a group can grow.
 void AssemblyController::markSelected() {
-  const std::vector<std::string> ids = selectedToMove();
-  const QString first = QString::fromStdString(ids.front());
+  const std::vector<BodyId> ids = selectedToMove();
+  const QString first = toQString(ids.front());
   const QString text = ids.size() == 1
                            ? tr("Moving part: %1").arg(first)
                            : tr("Moving part: %1 and %n more", "", static_cast<int>(ids.size()) - 1).arg(first);
@@ -353,7 +354,7 @@ void AssemblyController::choose(const std::optional<AssemblyItem>& item) {
   selection.bodies.clear();
   for (const RigidBody& body : document_.scenario()->obstacles) {
     if (item && item->kind == AssemblyItem::Kind::Body && bodyIdOf(body.id) == item->bodyId) {
-      selection.bodies.insert(QString::fromStdString(body.id));
+      selection.bodies.insert(toQString(body.id));
     }
   }
   chosen_ = item;
@@ -364,10 +365,10 @@ void AssemblyController::choose(const std::optional<AssemblyItem>& item) {
 /// Shows the placement of the selected body, or of the object's start if the object is selected.
 void AssemblyController::takeSelection() {
   if (!document_.scenario()) return;
-  const std::set<std::string> ids = selectedBodies();
+  const std::set<BodyId> ids = selectedBodies();
   const std::vector<RigidBody>& moving = document_.scenario()->objectBodies;
   const bool object = std::any_of(moving.begin(), moving.end(), [this](const RigidBody& body) {
-    return document_.semantics().selectedBodies().contains(QString::fromStdString(body.id));
+    return document_.semantics().selectedBodies().contains(toQString(body.id));
   });
   const bool endChosen = chosen_ && chosen_->kind != AssemblyItem::Kind::Body;
   if (ids.size() == 1 && !object) {

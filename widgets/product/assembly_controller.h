@@ -55,10 +55,10 @@ class AssemblyController final : public QObject {
   void takeSelection();
   void showPlacement();
   void enableActions();
-  std::set<std::string> selectedOfAll() const;
-  std::set<std::string> selectedBodies() const;
+  std::set<BodyId> selectedOfAll() const;
+  std::set<BodyId> selectedBodies() const;
   /// Ids of the selected bodies, first those of the object.
-  std::vector<std::string> selectedToMove() const;
+  std::vector<BodyId> selectedToMove() const;
 
   const Workbench& bench_;
   WorkbenchDocument& document_;
@@ -68,7 +68,7 @@ class AssemblyController final : public QObject {
   std::optional<AssemblyItem> chosen_;  ///< the item that the placement panel shows
   std::optional<AssemblyItem> placed_;  ///< the item that the panel showed last
   bool editable_ = false;
-  std::map<std::string, Pose> picked_;  ///< X_BF by the body's id; "": the object's
+  std::map<BodyId, Pose> picked_;  ///< X_BF by the body's id; "": the object's
 };
 
 }  // namespace glissade

@@ -1,5 +1,7 @@
 #include "widgets/product/body_visibility.h"
 
+#include "widgets/controls/body_id_text.h"
+
 #include <algorithm>
 #include <iterator>
 
@@ -11,13 +13,13 @@ BodyVisibility::BodyVisibility(const Workbench& bench, ScenePanel& panel)
   bench.onAction("body.isolate", this, [this] { isolateSelected(); });
   bench.onAction("body.show-all", this, [this] { setHidden({}); });
   connect(&panel, &ScenePanel::bodyChecked, this,
-          [this](const QString& id, bool visible) { setVisible(id.toStdString(), visible); });
+          [this](const QString& id, bool visible) { setVisible(toBodyId(id), visible); });
   connect(&bench.document, &WorkbenchDocument::changed, this, &BodyVisibility::followDocument);
   connect(&bench.document.semantics(), &SemanticDocument::selectionChanged, this, &BodyVisibility::enableActions);
   enableActions();
   bench.scripts.add("show-body", 2, [this](const ScriptCommands::Words& words) -> Outcome {
     if (words[1] != "yes" && words[1] != "no") return wrongCommand("say yes or no");
-    if (setVisible(words[0], words[1] == "yes")) return Done{};
+    if (setVisible(BodyId(words[0]), words[1] == "yes")) return Done{};
     return wrongCommand("there is no body '" + words[0] + "'");
   });
 }
@@ -27,15 +29,15 @@ void BodyVisibility::followDocument(Changes what) {
   if (what & Change::Scenario) hidden_.clear();
   bodies_.clear();
   for (const RigidBody& body : bench_.document.scenario()->obstacles) bodies_.insert(body.id);
-  std::set<std::string> hidden;
+  std::set<BodyId> hidden;
   std::set_intersection(hidden_.begin(), hidden_.end(), bodies_.begin(), bodies_.end(),
                         std::inserter(hidden, hidden.end()));
   setHidden(hidden);
 }
 
-bool BodyVisibility::setVisible(const std::string& bodyId, bool visible) {
+bool BodyVisibility::setVisible(const BodyId& bodyId, bool visible) {
   if (bodies_.count(bodyId) == 0) return false;
-  std::set<std::string> hidden = hidden_;
+  std::set<BodyId> hidden = hidden_;
   if (visible) {
     hidden.erase(bodyId);
   } else {
@@ -45,28 +47,28 @@ bool BodyVisibility::setVisible(const std::string& bodyId, bool visible) {
   return true;
 }
 
-std::set<std::string> BodyVisibility::selected() const {
-  std::set<std::string> ids;
+std::set<BodyId> BodyVisibility::selected() const {
+  std::set<BodyId> ids;
   for (const QString& id : bench_.document.semantics().selectedBodies()) {
-    if (bodies_.count(id.toStdString()) != 0) ids.insert(id.toStdString());
+    if (bodies_.count(toBodyId(id)) != 0) ids.insert(toBodyId(id));
   }
   return ids;
 }
 
 void BodyVisibility::hideSelected() {
-  std::set<std::string> hidden = hidden_;
+  std::set<BodyId> hidden = hidden_;
   hidden.merge(selected());
   setHidden(hidden);
 }
 
 void BodyVisibility::isolateSelected() {
-  const std::set<std::string> kept = selected();
-  std::set<std::string> hidden;
+  const std::set<BodyId> kept = selected();
+  std::set<BodyId> hidden;
   std::set_difference(bodies_.begin(), bodies_.end(), kept.begin(), kept.end(), std::inserter(hidden, hidden.end()));
   setHidden(hidden);
 }
 
-void BodyVisibility::setHidden(const std::set<std::string>& hidden) {
+void BodyVisibility::setHidden(const std::set<BodyId>& hidden) {
   hidden_ = hidden;
   panel_.setHiddenBodies(hidden);
   bench_.scene.view().setHiddenBodies(hidden);

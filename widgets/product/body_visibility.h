@@ -17,21 +17,21 @@ class BodyVisibility final : public QObject {
   BodyVisibility(const Workbench& bench, ScenePanel& panel);
 
   /// False if there is no such body.
-  bool setVisible(const std::string& bodyId, bool visible);
+  bool setVisible(const BodyId& bodyId, bool visible);
 
  private:
   /// Shows all bodies of a new scenario. After an edit of the arrangement, hidden bodies stay hidden.
   void followDocument(Changes what);
   void hideSelected();
   void isolateSelected();
-  void setHidden(const std::set<std::string>& hidden);
-  std::set<std::string> selected() const;
+  void setHidden(const std::set<BodyId>& hidden);
+  std::set<BodyId> selected() const;
   void enableActions();
 
   const Workbench& bench_;
   ScenePanel& panel_;
-  std::set<std::string> bodies_;
-  std::set<std::string> hidden_;
+  std::set<BodyId> bodies_;
+  std::set<BodyId> hidden_;
 };
 
 }  // namespace glissade

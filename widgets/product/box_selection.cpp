@@ -2,6 +2,7 @@
 
 #include <QMouseEvent>
 
+#include "widgets/controls/body_id_text.h"
 #include "widgets/scene3d/camera_controller.h"
 
 namespace glissade {
@@ -50,7 +51,7 @@ void BoxSelection::select(const QRect& box) {
     for (int corner = 0; corner < 8 && isWhole; ++corner) {
       isWhole = isWithin(extent.corner(static_cast<Box3::CornerType>(corner)));
     }
-    if (isWhole) selection.bodies.insert(QString::fromStdString(body.id));
+    if (isWhole) selection.bodies.insert(toQString(body.id));
   }
   bench_.document.semantics().select(selection);
 }

@@ -7,6 +7,7 @@
 
 #include "engine/files/scenario_bodies.h"
 #include "engine/files/scenario_product.h"
+#include "widgets/controls/body_id_text.h"
 #include "widgets/controls/cell_delegates.h"
 #include "widgets/controls/colour_swatch.h"
 #include "widgets/controls/length_text.h"
@@ -40,7 +41,7 @@ bool filterUnder(QTreeWidgetItem& item, const QString& text, bool matched) {
 
 /// Lets a person edit the name of a body of the scenario. A link of a URDF file has the name that the file gives it.
 void allowRenaming(QTreeWidgetItem& item) {
-  const std::string id = item.data(0, kBodyRole).toString().toStdString();
+  const BodyId id = toBodyId(item.data(0, kBodyRole).toString());
   if (bodyIdOf(id) != id) return;
   item.setData(0, kNameRole, item.text(0));
   item.setFlags(item.flags() | Qt::ItemIsEditable);
@@ -114,8 +115,8 @@ QTreeWidgetItem* ScenePanel::addBody(QTreeWidgetItem& group, const RigidBody& bo
   auto* item = new QTreeWidgetItem(&group, {QString::fromStdString(body.shown()), kind, QLocale().toString(triangles)});
   item->setIcon(0, swatch(body.colour));
   item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
-  item->setToolTip(0, QString::fromStdString(body.id));
-  item->setData(0, kBodyRole, QString::fromStdString(body.id));
+  item->setToolTip(0, toQString(body.id));
+  item->setData(0, kBodyRole, toQString(body.id));
   allowRenaming(*item);
   return item;
 }
@@ -140,7 +141,7 @@ void ScenePanel::addLeftOut(const Scenario& scenario) {
   std::vector<std::string> ids;
   std::vector<std::string> paths;
   for (const BodyDescription* body : allBodiesOf(scenario)) {
-    ids.push_back(body->id);
+    ids.push_back(body->id.text());
     paths.push_back(body->name);
   }
   const std::vector<std::string> shown = treeOf(scenario).labels(ids);
@@ -152,9 +153,9 @@ void ScenePanel::addLeftOut(const Scenario& scenario) {
   }
 }
 
-bool ScenePanel::chooseLeftOut(const std::string& bodyId) {
+bool ScenePanel::chooseLeftOut(const BodyId& bodyId) {
   for (QTreeWidgetItemIterator item(this); *item != nullptr; ++item) {
-    if ((*item)->data(0, kLeftOutRole).toString().toStdString() != bodyId) continue;
+    if (toBodyId((*item)->data(0, kLeftOutRole).toString()) != bodyId) continue;
     clearSelection();
     (*item)->setSelected(true);
     return true;
@@ -167,11 +168,11 @@ void ScenePanel::editName() {
   if (!selected.isEmpty()) editItem(selected.front(), 0);
 }
 
-std::vector<std::string> ScenePanel::chosenLeftOut() const {
-  std::vector<std::string> ids;
+std::vector<BodyId> ScenePanel::chosenLeftOut() const {
+  std::vector<BodyId> ids;
   for (const QTreeWidgetItem* item : selectedItems()) {
     const QVariant id = item->data(0, kLeftOutRole);
-    if (id.isValid()) ids.push_back(id.toString().toStdString());
+    if (id.isValid()) ids.push_back(toBodyId(id.toString()));
   }
   return ids;
 }
@@ -183,7 +184,7 @@ void ScenePanel::addObstacles(const LoadedScenario& scenario) {
   std::vector<const RigidBody*> bodies(nodes.size(), nullptr);
   std::vector<bool> shown(nodes.size(), false);
   for (const RigidBody& body : scenario.obstacles) {
-    auto node = scenario.product.find(body.id);
+    auto node = scenario.product.find(body.id.text());
     if (node) bodies[*node] = &body;
     for (; node && !shown[*node]; node = nodes[*node].parent) shown[*node] = true;
   }
@@ -196,7 +197,7 @@ void ScenePanel::addObstacles(const LoadedScenario& scenario) {
                                     : addAssembly(parent, name, QString::fromStdString(nodes[i].path));
   }
   for (const RigidBody& body : scenario.obstacles) {
-    if (!scenario.product.find(body.id)) addObstacle(*obstacles_, body, {});
+    if (!scenario.product.find(body.id.text())) addObstacle(*obstacles_, body, {});
   }
 }
 
@@ -240,16 +241,16 @@ void ScenePanel::setFilter(const QString& text) {
 /// Shows the distance of the triangles of STEP parts from their surfaces.
 void ScenePanel::showDeflections(const LoadedScenario& scenario) {
   for (QTreeWidgetItemIterator item(this); *item != nullptr; ++item) {
-    const auto known = scenario.deflections.find((*item)->data(0, kBodyRole).toString().toStdString());
+    const auto known = scenario.deflections.find(toBodyId((*item)->data(0, kBodyRole).toString()));
     if (known == scenario.deflections.end()) continue;
     (*item)->setToolTip(2, tr("CAD accuracy ± %1").arg(lengthText(known->second)));
   }
 }
 
-void ScenePanel::setHiddenBodies(const std::set<std::string>& bodyIds) {
+void ScenePanel::setHiddenBodies(const std::set<BodyId>& bodyIds) {
   const QSignalBlocker block(this);
   for (QTreeWidgetItem* item : obstacleItems()) {
-    const bool hidden = bodyIds.count(item->data(0, kBodyRole).toString().toStdString()) != 0;
+    const bool hidden = bodyIds.count(toBodyId(item->data(0, kBodyRole).toString())) != 0;
     item->setCheckState(0, hidden ? Qt::Unchecked : Qt::Checked);
   }
   viewport()->update();

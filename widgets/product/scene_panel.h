@@ -24,15 +24,15 @@ class ScenePanel final : public QTreeWidget {
   /// Keeps only the obstacles whose names contain this text visible; empty: all.
   void setFilter(const QString& text);
   /// Unchecks the boxes of these obstacles, by id. Emits no signal.
-  void setHiddenBodies(const std::set<std::string>& bodyIds);
+  void setHiddenBodies(const std::set<BodyId>& bodyIds);
   /// Shows the selection: rigid bodies by id, or the start or the goal. Emits no signal.
   void showSelection(const QSet<QString>& bodyIds, const std::optional<AssemblyItem>& chosen);
   /// Selects only the row of this body that is left out. False if there is none.
-  bool chooseLeftOut(const std::string& bodyId);
+  bool chooseLeftOut(const BodyId& bodyId);
   /// Edits the name of the first selected body.
   void editName();
   /// Ids of the selected bodies that are left out.
-  std::vector<std::string> chosenLeftOut() const;
+  std::vector<BodyId> chosenLeftOut() const;
 
  signals:
   /// The user has given a body another name.

@@ -13,12 +13,6 @@ namespace {
 constexpr QSize kPictureSize(264, 176);
 constexpr std::size_t kMostNamed = 3;
 
-std::vector<std::string> idsOf(const LoadedScenario& scenario) {
-  std::vector<std::string> ids;
-  for (const RigidBody& body : rigidBodiesOf(scenario)) ids.push_back(body.id);
-  return ids;
-}
-
 }  // namespace
 
 VariantsController::VariantsController(const Workbench& bench)
@@ -36,7 +30,7 @@ VariantsController::VariantsController(const Workbench& bench)
 /// Examines the bodies again, unless they have only moved.
 void VariantsController::followDocument(Changes what) {
   if (!(what & (Change::Scenario | Change::Arrangement))) return;
-  const std::vector<std::string> ids = idsOf(*bench_.document.scenario());
+  const std::vector<BodyId> ids = idsOf(rigidBodiesOf(*bench_.document.scenario()));
   if (!(what & Change::Scenario) && ids == known_) return;
   known_ = ids;
   bar_->hide();
@@ -86,18 +80,18 @@ void VariantsController::ask() {
   if (dialog.exec() == QDialog::Accepted) leaveOthersOut(dialog.leftOut());
 }
 
-void VariantsController::leaveOthersOut(const std::set<std::string>& rigidIds) {
+void VariantsController::leaveOthersOut(const std::set<BodyId>& rigidIds) {
   if (rigidIds.empty()) return;
-  std::set<std::string> ids;
-  for (const std::string& id : rigidIds) ids.insert(bodyIdOf(id));
+  std::set<BodyId> ids;
+  for (const BodyId& id : rigidIds) ids.insert(bodyIdOf(id));
   const auto change = [&ids](Scenario& scenario) { return editEach(ids, leaveOut, scenario); };
   const Outcome edited = bench_.document.edit(tr("Exclude variants"), change);
   if (!edited) bench_.messages.showError(tr("The variant cannot be excluded"), edited.error());
 }
 
-QImage VariantsController::pictureOf(const std::string& rigidId, const Box3& box) {
+QImage VariantsController::pictureOf(const BodyId& rigidId, const Box3& box) {
   SceneView& view = bench_.scene.view();
-  const std::set<std::string> hidden = view.hiddenBodies();
+  const std::set<BodyId> hidden = view.hiddenBodies();
   const CameraPose pose = view.camera().pose();
   const SceneLayer shown = isInObject(*bench_.document.scenario(), rigidId) ? SceneLayer::Object : SceneLayer::Bodies;
   std::vector<SceneLayer> layers;  // layers that the picture must not show
@@ -105,7 +99,7 @@ QImage VariantsController::pictureOf(const std::string& rigidId, const Box3& box
     const auto layer = static_cast<SceneLayer>(i);
     if (layer != shown && view.layerVisible(layer)) layers.push_back(layer);
   }
-  std::set<std::string> others(known_.begin(), known_.end());
+  std::set<BodyId> others(known_.begin(), known_.end());
   others.erase(rigidId);
   view.setHiddenBodies(others);
   for (const SceneLayer layer : layers) view.setLayerVisible(layer, false);
@@ -120,11 +114,11 @@ QImage VariantsController::pictureOf(const std::string& rigidId, const Box3& box
 
 void VariantsController::addCommands() {
   bench_.scripts.add("choose-variant", 1, [this](const ScriptCommands::Words& words) -> Outcome {
-    std::set<std::string> others;
+    std::set<BodyId> others;
     for (const std::vector<std::size_t>& place : places_) {
-      std::set<std::string> ids;
+      std::set<BodyId> ids;
       for (const std::size_t body : place) ids.insert(known_[body]);
-      if (ids.erase(words[0]) > 0) others = ids;
+      if (ids.erase(BodyId(words[0])) > 0) others = ids;
     }
     if (others.empty()) return wrongCommand("'" + words[0] + "' is no variant");
     leaveOthersOut(others);

@@ -27,16 +27,16 @@ class VariantsController final : public QObject {
   void find();
   void take(const Places& places);
   void ask();
-  void leaveOthersOut(const std::set<std::string>& rigidIds);
+  void leaveOthersOut(const std::set<BodyId>& rigidIds);
   /// Picture of the body alone, as large as possible.
-  QImage pictureOf(const std::string& rigidId, const Box3& box);
+  QImage pictureOf(const BodyId& rigidId, const Box3& box);
   void addCommands();
 
   const Workbench& bench_;
   NoticeBar* bar_;
   BackgroundTask task_;
-  std::vector<std::string> known_;  ///< ids of the examined bodies
-  Places places_;                   ///< the places that were found
+  std::vector<BodyId> known_;  ///< the examined bodies
+  Places places_;              ///< the places that were found
 };
 
 }  // namespace glissade

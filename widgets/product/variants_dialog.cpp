@@ -85,8 +85,8 @@ QWidget* VariantsDialog::makeVariant(const Variant& variant, int index, QButtonG
   return tile;
 }
 
-std::set<std::string> VariantsDialog::leftOut() const {
-  std::set<std::string> ids;
+std::set<BodyId> VariantsDialog::leftOut() const {
+  std::set<BodyId> ids;
   for (std::size_t place = 0; place < places_.size(); ++place) {
     const int chosen = choices_[place]->checkedId();
     if (chosen == kAll) continue;

@@ -11,7 +11,7 @@ namespace glissade {
 
 /// A body that fills the same place as others.
 struct Variant {
-  std::string id;
+  BodyId id;
   QString name;
   QImage picture;
 };
@@ -26,7 +26,7 @@ class VariantsDialog final : public QDialog {
   VariantsDialog(std::vector<std::vector<Variant>> places, QWidget* parent);
 
   /// Ids of the bodies that were not chosen, at places where one was.
-  std::set<std::string> leftOut() const;
+  std::set<BodyId> leftOut() const;
 
  private:
   QWidget* makePlace(const std::vector<Variant>& variants, int number);

@@ -16,7 +16,7 @@ std::optional<int> bodyOf(const Difficulty& difficulty, const std::string& part)
 Outcome expect(const LoadedScenario& scenario, const DifficultyPtr& difficulty, const std::string& part,
                const std::string& body) {
   const auto found = difficulty ? bodyOf(*difficulty, part) : std::nullopt;
-  const std::string name = !found || *found < 0 ? "-" : scenario.obstacles[static_cast<std::size_t>(*found)].id;
+  const std::string name = !found || *found < 0 ? "-" : scenario.obstacles[static_cast<std::size_t>(*found)].id.text();
   if (name == body) return Done{};
   return unmetExpectation("'" + part + "' names " + name + ", not " + body);
 }

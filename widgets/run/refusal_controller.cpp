@@ -47,7 +47,7 @@ QString titleOf(const EndConflicts& found, const LoadedScenario& scenario, doubl
 }
 
 /// Marks the pair as an accepted fit. An overlap within a fit's allowance is no refusal.
-void accept(FitSettings& fits, const std::string& object, const std::string& body) {
+void accept(FitSettings& fits, const BodyId& object, const BodyId& body) {
   const auto isPair = [&](const FitEdit& edit) {
     return (edit.a == object && edit.b == body) || (edit.a == body && edit.b == object);
   };
@@ -239,13 +239,13 @@ void RefusalController::zoomToConflicts() {
 }
 
 void RefusalController::allowAsFits() {
-  std::vector<std::string> bodies;
+  std::vector<BodyId> bodies;
   for (const EndConflict& conflict : conflicts_->conflicts) {
     if (touches(conflict)) bodies.push_back(bench_.document.scenario()->obstacles[conflict.obstacle].id);
   }
   const auto change = [bodies, object = bench_.document.scenario()->objectBodies](Scenario& scenario) {
     scenario.fits.on = true;
-    for (const std::string& body : bodies) {
+    for (const BodyId& body : bodies) {
       for (const RigidBody& moving : object) accept(scenario.fits, moving.id, body);
     }
     return Outcome(Done{});
@@ -270,7 +270,7 @@ void RefusalController::addCommands() {
   bench_.scripts.add("expect-refusal", 1, [this](const ScriptCommands::Words& words) -> Outcome {
     std::string found = "none";
     if (bar_->isVisible()) found = "other";
-    if (conflicts_) found = bench_.document.scenario()->obstacles[conflicts_->conflicts.front().obstacle].id;
+    if (conflicts_) found = bench_.document.scenario()->obstacles[conflicts_->conflicts.front().obstacle].id.text();
     if (found == words[0]) return Done{};
     return unmetExpectation("what is refused is '" + found + "', not '" + words[0] + "'");
   });

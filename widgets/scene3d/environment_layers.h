@@ -22,8 +22,8 @@ struct EnvironmentPicture {
   std::vector<Colour> placeColours;     ///< per place
   std::vector<std::string> placeNames;  ///< per place
   std::set<int> selectedPlaces;
-  std::set<std::string> selectedBodies;  ///< ids
-  int finestCellLevel = 6;               ///< cells of finer levels are not drawn
+  std::set<BodyId> selectedBodies;
+  int finestCellLevel = 6;  ///< cells of finer levels are not drawn
 };
 
 /// Draws cells of one kind as boxes of lines, the coarsest first; at most some thousands.

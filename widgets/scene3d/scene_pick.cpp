@@ -74,7 +74,7 @@ Ray rayThrough(const CameraController& camera, double x, double y) {
 }
 
 std::optional<BodyHit> pickBody(const std::vector<RigidBody>& bodies, const Ray& ray,
-                                const std::set<std::string>& hidden, const std::vector<Plane>& sections) {
+                                const std::set<BodyId>& hidden, const std::vector<Plane>& sections) {
   std::optional<BodyHit> nearest;
   MeshBoxes boxes;
   for (std::size_t i = 0; i < bodies.size(); ++i) {

@@ -27,7 +27,7 @@ struct BodyHit {
   std::size_t triangle;  ///< index in the body's mesh
 };
 std::optional<BodyHit> pickBody(const std::vector<RigidBody>& bodies, const Ray& ray,
-                                const std::set<std::string>& hidden = {}, const std::vector<Plane>& sections = {});
+                                const std::set<BodyId>& hidden = {}, const std::vector<Plane>& sections = {});
 
 /// The place that a person means by pointing there: the narrowest of all places along the ray, up to the given
 /// distance; kNoPlace if there is none. Rooms lie around everything, so that people point at holes.

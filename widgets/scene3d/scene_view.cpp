@@ -145,13 +145,13 @@ void SceneView::setEnvironment(const EnvironmentPicture& picture) {
   }
 }
 
-void SceneView::setHiddenBodies(const std::set<std::string>& bodyIds) {
+void SceneView::setHiddenBodies(const std::set<BodyId>& bodyIds) {
   const std::lock_guard lock(*impl_->graphMutex);
   impl_->hidden = bodyIds;
   impl_->showHidden();
 }
 
-const std::set<std::string>& SceneView::hiddenBodies() const { return impl_->hidden; }
+const std::set<BodyId>& SceneView::hiddenBodies() const { return impl_->hidden; }
 
 void SceneView::setDisplayMode(DisplayMode mode) {
   const std::lock_guard lock(*impl_->graphMutex);
@@ -186,13 +186,13 @@ void SceneView::beginPicture(int width, int height, const PictureDetail& detail)
                               height / across, pixelScale());
 }
 
-void SceneView::setBodyDisplayModes(const std::map<std::string, DisplayMode>& modes) {
+void SceneView::setBodyDisplayModes(const std::map<BodyId, DisplayMode>& modes) {
   const std::lock_guard lock(*impl_->graphMutex);
   impl_->ownModes = modes;
   impl_->showModes();
 }
 
-const std::map<std::string, DisplayMode>& SceneView::bodyDisplayModes() const { return impl_->ownModes; }
+const std::map<BodyId, DisplayMode>& SceneView::bodyDisplayModes() const { return impl_->ownModes; }
 
 void SceneView::setSections(const std::vector<Plane>& sections) {
   const std::lock_guard lock(*impl_->graphMutex);
@@ -282,7 +282,7 @@ void SceneView::setMeasure(MeasurePicture measure) {
   impl_->showOverlays();
 }
 
-Box3 SceneView::extentOf(const std::set<std::string>& bodyIds) const {
+Box3 SceneView::extentOf(const std::set<BodyId>& bodyIds) const {
   Box3 box;
   if (!impl_->scenario) return box;
   for (const RigidBody& body : impl_->scenario->obstacles) {

@@ -183,8 +183,8 @@ class SceneView {
   /// Sets places, cells and selection; without knowledge these layers are empty.
   void setEnvironment(const EnvironmentPicture& picture);
   /// Sets the obstacles, by id, that are not drawn; none when a scenario is opened.
-  void setHiddenBodies(const std::set<std::string>& bodyIds);
-  const std::set<std::string>& hiddenBodies() const;
+  void setHiddenBodies(const std::set<BodyId>& bodyIds);
+  const std::set<BodyId>& hiddenBodies() const;
   /// Sets how obstacles are drawn; the mode stays when another scenario is opened. While places, borders or cells are
   /// shown, shaded obstacles are see-through.
   void setDisplayMode(DisplayMode mode);
@@ -193,8 +193,8 @@ class SceneView {
   void setDepthShading(bool shaded);
   bool depthShading() const;
   /// Sets display modes of single obstacles, by id; none when a scenario is opened.
-  void setBodyDisplayModes(const std::map<std::string, DisplayMode>& modes);
-  const std::map<std::string, DisplayMode>& bodyDisplayModes() const;
+  void setBodyDisplayModes(const std::map<BodyId, DisplayMode>& modes);
+  const std::map<BodyId, DisplayMode>& bodyDisplayModes() const;
   /// Cuts obstacles open: parts on the side of a section's normal are not drawn, and the cut faces are filled. The
   /// object is never cut. There are no sections when a scenario is opened, and at most kMostSections.
   void setSections(const std::vector<Plane>& sections);
@@ -218,7 +218,7 @@ class SceneView {
   /// Shows the volume that the object sweeps along the path; null: nothing is shown.
   void setSweep(std::shared_ptr<const SweptVolume> sweep);
   /// The box of these bodies as they are drawn, by id; the object is at its shown pose. Empty: none of them exists.
-  Box3 extentOf(const std::set<std::string>& bodyIds) const;
+  Box3 extentOf(const std::set<BodyId>& bodyIds) const;
   /// The obstacles at their drawn poses; while a plan is shown, the object is the last one of them.
   std::vector<RigidBody> drawnObstacles() const;
   /// The drawn pose of the object.

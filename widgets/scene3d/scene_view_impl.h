@@ -73,7 +73,7 @@ struct SceneView::Impl {
   osg::ref_ptr<osg::Group> helpArrow = new osg::Group;  ///< in the layer of help
   std::optional<Pose> helpLead;                         ///< pose to which the hand is led; nothing: no arrow
   std::vector<Box3> obstacleBoxes;                      ///< while the hand is led, in the order of the obstacles
-  std::set<std::string> beforeHand;                     ///< obstacles that hide where the hand is led, by id
+  std::set<BodyId> beforeHand;                          ///< obstacles that hide where the hand is led, by id
   std::shared_ptr<const EndConflicts> refusal;
   std::vector<KeptPathPicture> keptPaths;
   MeasurePicture measure;
@@ -81,8 +81,8 @@ struct SceneView::Impl {
   ReachPicture reach;
   BodyShapes shapes;
   DisplayMode mode = DisplayMode::ShadedWithEdges;
-  std::vector<DisplayMode> drawnModes;          ///< drawn modes of the obstacles
-  std::map<std::string, DisplayMode> ownModes;  ///< set modes of obstacles, by id
+  std::vector<DisplayMode> drawnModes;     ///< drawn modes of the obstacles
+  std::map<BodyId, DisplayMode> ownModes;  ///< set modes of obstacles
   DepthShading depthShading;
   bool depthShadingWanted = true;
   bool quick = false;  ///< the camera moves in the next picture
@@ -92,7 +92,7 @@ struct SceneView::Impl {
   std::vector<Plane> sections;
   double gridUnit = 1.0;
   std::optional<GroundGrid> grid;  ///< nothing: it is not drawn
-  std::set<std::string> hidden;    ///< obstacles, by id
+  std::set<BodyId> hidden;         ///< obstacles
   std::set<std::size_t> inHand;    ///< obstacles that are dragged
   SequencePicture sequence;
   osg::ref_ptr<osg::Group> plainObjects = new osg::Group;  ///< the object as bodies of the product, cut by sections
@@ -220,7 +220,7 @@ struct SceneView::Impl {
 
   /// Draws the obstacles see-through whose boxes are between the eye and the hand, or where it is led.
   void showBeforeHand() {
-    std::set<std::string> before;
+    std::set<BodyId> before;
     const auto meets = [](const Box3& box, const Vector3& from, const Vector3& to) {
       return segmentMeets(box, from, to - from);
     };

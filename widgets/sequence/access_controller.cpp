@@ -171,7 +171,7 @@ ReachPicture AccessController::pictureOfStep() const {
   const auto step = static_cast<std::size_t>(time);
   if (step >= shown.access->steps.size() || sequence_.panel()->exploded() > 0.0) return {};
   const AssemblyStep& moving = shown.plan->steps[step];
-  const StepWay way(moving, shown.product->bodies[*shown.product->indexOf(moving.body)]);
+  const StepWay way(moving, shown.product->body(moving.body));
   const Pose moved = way.movedAt((time - static_cast<double>(step)) * way.length());
   return pictureOf(shown.access->steps[step], moved, shown.access->forearm);
 }

@@ -48,7 +48,7 @@ PlanPtr planOf(const AssembledProduct& product, const PlanPtr& plan) {
 AssemblyPlan emptyPlan(const AssembledProduct& product, const BodySet& staying) {
   AssemblyPlan plan;
   plan.end = PlanEnd::Interrupted;
-  for (const RigidBody& body : product.bodies) plan.bodies.push_back(body.id);
+  plan.bodies = idsOf(product.bodies);
   for (const std::size_t body : bodiesIn(staying)) plan.staying.push_back(plan.bodies[body]);
   return plan;
 }
@@ -156,7 +156,7 @@ void SequenceController::startPlanning(bool resume, std::optional<std::size_t> m
     job.strategy = job.resumed->strategy;
     job.demands = job.resumed->demands;
     std::fill(job.staying.begin(), job.staying.end(), false);
-    for (const std::string& id : job.resumed->staying) job.staying[*job.product->indexOf(id)] = true;
+    for (const std::size_t body : job.product->indicesOf(job.resumed->staying)) job.staying[body] = true;
   } else {
     if (shown().product == job.product && shown().plan && !shown().plan->steps.empty()) job.known = shown().plan;
     const PlanPtr before = shown().product == job.product ? shown().plan : nullptr;
@@ -270,7 +270,7 @@ void SequenceController::followDemands() {
   panel_->setCost(bench_.document.demands().cost);
   if (!shown().plan) return;
   planner_.drop();
-  std::string chosen = std::exchange(chosenLater_, {});
+  BodyId chosen = std::exchange(chosenLater_, {});
   if (chosen.empty()) chosen = panel_->chosenBody();
   if (const auto known = rememberedPlan(shown().product)) {
     keepPlan(*known);
@@ -352,11 +352,7 @@ std::optional<Diagnostic> SequenceController::open(const QString& file) {
   if (!plan) return plan.error();
   const ProductPtr product = presentProduct();
   const PlanPtr ours = planOf(*product, std::make_shared<const AssemblyPlan>(*plan));
-  if (!ours) {
-    std::vector<std::string> ids;
-    for (const RigidBody& body : product->bodies) ids.push_back(body.id);
-    return checkSameBodies(*plan, ids, name).error();
-  }
+  if (!ours) return checkSameBodies(*plan, *product, name).error();
   planner_.drop();
   bringToFront();
   // The demands of the document are read before the file's demands replace them.

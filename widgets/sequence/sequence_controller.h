@@ -44,7 +44,7 @@ class SequenceController final : public QObject {
   /// The demands that the document holds about the product.
   SequenceDemands statedDemands(const AssembledProduct& product) const;
   /// Chooses the row of this body when the next plan is shown.
-  void chooseLater(const std::string& body) { chosenLater_ = body; }
+  void chooseLater(const BodyId& body) { chosenLater_ = body; }
   /// Reads a plan of the open product and judges it; returns nothing on success.
   std::optional<Diagnostic> open(const QString& file);
   /// Restores the remembered table of times and template of work instructions, and remembers later changes.
@@ -115,7 +115,7 @@ class SequenceController final : public QObject {
   InstructionController* instructions_;
   FilmJob film_;
   std::vector<ShownPlan> memory_;  ///< the last plans of this scenario, for undo
-  std::string chosenLater_;        ///< id of a body; empty: the chosen row stays
+  BodyId chosenLater_;             ///< empty: the chosen row stays
   bool adopting_ = false;
   std::optional<SequenceDemands>
       knownDemands_;  ///< with those from classes and attributes; nothing: they are contradictory

@@ -24,11 +24,16 @@ std::optional<std::size_t> stepIn(const std::string& word, const SequencePanel& 
   return static_cast<std::size_t>(*number) - 1;
 }
 
+/// `names`: as demands name bodies.
+QString joinedNames(const std::vector<std::string>& names, const AssembledProduct& product) {
+  return glissade::joinedNames(std::vector<BodyId>(names.begin(), names.end()), product);
+}
+
 }  // namespace
 
-QString joinedNames(const std::vector<std::string>& bodies, const AssembledProduct& product) {
+QString joinedNames(const std::vector<BodyId>& bodies, const AssembledProduct& product) {
   QStringList names;
-  for (const std::string& id : bodies) names << QString::fromStdString(shownNameOf(id, product));
+  for (const BodyId& id : bodies) names << QString::fromStdString(shownNameOf(id, product));
   return names.join(QStringLiteral(", "));
 }
 
@@ -113,11 +118,11 @@ void SequenceEdits::set(const QString& text, const SequenceDemands& demands) {
   }
 }
 
-std::vector<std::string> SequenceEdits::chosenBodies() const {
+std::vector<BodyId> SequenceEdits::chosenBodies() const {
   const SequencePanel& panel = *sequence_.panel();
-  std::vector<std::string> bodies;
+  std::vector<BodyId> bodies;
   for (const std::size_t step : panel.selectedSteps()) {
-    for (const std::string& id : panel.shown().plan->steps[step].bodies()) bodies.push_back(id);
+    for (const BodyId& id : panel.shown().plan->steps[step].bodies()) bodies.push_back(id);
   }
   if (bodies.empty() && !panel.chosenStuck().empty()) bodies.push_back(panel.chosenStuck());
   return bodies;
@@ -127,7 +132,7 @@ std::vector<ForbiddenCone> SequenceEdits::forbiddenCones(const std::vector<Seque
   std::vector<ForbiddenCone> cones;
   if (!sequence_.shown().plan) return cones;
   const AssembledProduct& product = *sequence_.shown().product;
-  const std::vector<std::string> chosen = chosenBodies();
+  const std::vector<BodyId> chosen = chosenBodies();
   for (const ForbiddenDirection& each : bench_.document.demands().forbidden) {
     for (const std::size_t body : bodiesNamed(product, each.body)) {
       const RigidBody& own = product.bodies[body];
@@ -187,7 +192,7 @@ void SequenceEdits::forbidWay() {
 }
 
 void SequenceEdits::keepOrder() {
-  std::vector<std::vector<std::string>> steps;
+  std::vector<std::vector<BodyId>> steps;
   for (const std::size_t step : sequence_.panel()->selectedSteps()) {
     steps.push_back(sequence_.shown().plan->steps[step].bodies());
   }
@@ -258,11 +263,11 @@ void SequenceEdits::enableActions() {
   bench_.enable("sequence.lock", !steps.empty());
   bench_.enable("sequence.forbid-way", !steps.empty());
   bench_.enable("sequence.keep-order", steps.size() > 1);
-  const auto bodies = editable ? chosenBodies() : std::vector<std::string>();
+  const auto bodies = editable ? chosenBodies() : std::vector<BodyId>();
   bool demanded = false;
   bool locked = !steps.empty();
   const SequenceDemands& demands = bench_.document.demands();
-  for (const std::string& body : bodies) demanded = demanded || withoutDemandsOn({body}, demands) != demands;
+  for (const BodyId& body : bodies) demanded = demanded || withoutDemandsOn({body}, demands) != demands;
   for (const std::size_t step : steps) {
     locked = locked && demandsOn(panel.shown().plan->steps[step].bodies(), demands).isLocked();
   }

@@ -9,7 +9,7 @@ namespace glissade {
 class SequenceController;
 
 /// The shown names of these bodies, separated by commas.
-QString joinedNames(const std::vector<std::string>& bodies, const AssembledProduct& product);
+QString joinedNames(const std::vector<BodyId>& bodies, const AssembledProduct& product);
 
 /// Edits of the steps of a plan: moves them, locks them, forbids directions. Each edit is an undoable change of the
 /// document's demands, and the sequence is planned again.
@@ -34,7 +34,7 @@ class SequenceEdits final : public QObject {
   void keepOrder();
   void freeSteps();
   /// Bodies of the selected steps, or the stuck body.
-  std::vector<std::string> chosenBodies() const;
+  std::vector<BodyId> chosenBodies() const;
   void fillDemandsMenu();
   void set(const QString& text, const SequenceDemands& demands);
   void enableActions();

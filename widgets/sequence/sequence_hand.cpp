@@ -37,9 +37,9 @@ void SequenceHand::begin() {
   Run run{shown, {panel.chosenStuck()}, panel.chosenStep()};
   const auto& steps = shown.plan->steps;
   if (run.step) run.bodies = steps[*run.step].bodies();
-  std::vector<std::string> gone;
+  std::vector<BodyId> gone;
   for (std::size_t i = 0; i < run.step.value_or(steps.size()); ++i) {
-    for (const std::string& id : steps[i].bodies()) gone.push_back(id);
+    for (const BodyId& id : steps[i].bodies()) gone.push_back(id);
   }
   run_ = run;
   const auto joints = run.step ? steps[*run.step].joints : std::vector<StepJoint>();
@@ -164,7 +164,7 @@ void SequenceHand::takePath() {
   if (!hasObject()) return;
   const ShownPlan& shown = run_->plan;
   std::vector<RigidBody> bodies;
-  for (const std::string& id : run_->bodies) bodies.push_back(shown.product->bodies[*shown.product->indexOf(id)]);
+  for (const BodyId& id : run_->bodies) bodies.push_back(shown.product->body(id));
   const DemandedMotion motion = motionOfRun(bodies, path->points, bench_.document.results().provenance);
   const SequenceDemands& present = bench_.document.demands();
   const DemandConflict conflict = conflictBetween(present, withMotion(motion, present));
@@ -176,7 +176,7 @@ void SequenceHand::takePath() {
   const PlanPtr plan = shown.plan;
   goBack([this, motion, conflict, step, plan, name] {
     SequenceDemands demands = bench_.document.demands();
-    sequence_.chooseLater(motion.bodies.front());
+    sequence_.chooseLater(BodyId(motion.bodies.front()));
     if (step) demands = withStepMoved(*step, *step, *plan, std::move(demands));
     demands = withoutEarlier(conflict, std::move(demands));
     const bool byHand = motion.method == kByHand;

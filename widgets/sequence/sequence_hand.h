@@ -35,7 +35,7 @@ class SequenceHand final : public QObject {
  private:
   struct Run {
     ShownPlan plan;                   ///< the plan of the moved parts
-    std::vector<std::string> bodies;  ///< ids; the first one names the step
+    std::vector<BodyId> bodies;       ///< the first one names the step
     std::optional<std::size_t> step;  ///< index in the plan; nothing: the part was stuck
     bool begun = false;               ///< the document has the scenario of the run
     bool smoothing = false;           ///< the path is being smoothed

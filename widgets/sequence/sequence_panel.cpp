@@ -11,6 +11,7 @@
 
 #include "engine/sequence/step_cost.h"
 #include "engine/sequence/subassembly_lines.h"
+#include "widgets/controls/body_id_text.h"
 #include "widgets/controls/diagnostic_text.h"
 #include "widgets/controls/row_search.h"
 
@@ -296,7 +297,7 @@ void SequencePanel::showRow(const QTreeWidgetItem* row) {
     showTime(static_cast<double>(*step) + kOnTheWay);
     emit stepChosen(static_cast<int>(*step));
   } else {
-    emit stuckChosen(QString::fromStdString(chosenStuck()));
+    emit stuckChosen(toQString(chosenStuck()));
   }
 }
 
@@ -312,12 +313,12 @@ bool SequencePanel::chooseStep(std::size_t step) {
   return true;
 }
 
-std::string SequencePanel::chosenBody() const {
+BodyId SequencePanel::chosenBody() const {
   const auto step = chosenStep();
   return step ? shown_.plan->steps[*step].body : chosenStuck();
 }
 
-void SequencePanel::chooseBody(const std::string& id) {
+void SequencePanel::chooseBody(const BodyId& id) {
   if (id.empty() || !shown_.plan) return;
   const auto& steps = shown_.plan->steps;
   for (std::size_t step = 0; step < steps.size(); ++step) {
@@ -334,9 +335,8 @@ void SequencePanel::chooseBody(const std::string& id) {
 void SequencePanel::showBodies(const QSet<QString>& ids) {
   const auto isAbout = [&](const QTreeWidgetItem& row) {
     const auto step = StepTable::stepOf(&row);
-    const auto bodies = step ? shown_.plan->steps[*step].bodies() : std::vector<std::string>{StepTable::stuckOf(&row)};
-    return std::any_of(bodies.begin(), bodies.end(),
-                       [&ids](const std::string& id) { return ids.contains(QString::fromStdString(id)); });
+    const auto bodies = step ? shown_.plan->steps[*step].bodies() : std::vector<BodyId>{StepTable::stuckOf(&row)};
+    return std::any_of(bodies.begin(), bodies.end(), [&ids](const BodyId& id) { return ids.contains(toQString(id)); });
   };
   if (goToRow(*table_, isAbout)) emit selectionChanged();
 }

@@ -53,11 +53,11 @@ class SequencePanel final : public QWidget {
   QString partsText(std::size_t step) const { return table_->shortNames(shown_.plan->steps[step].bodies()); }
   /// The step, or the stuck part (its id), of the current row.
   std::optional<std::size_t> chosenStep() const { return StepTable::stepOf(table_->currentItem()); }
-  std::string chosenStuck() const { return StepTable::stuckOf(table_->currentItem()); }
+  BodyId chosenStuck() const { return StepTable::stuckOf(table_->currentItem()); }
   /// The first body of the current row; empty if there is none.
-  std::string chosenBody() const;
+  BodyId chosenBody() const;
   /// Makes the row of the step in which the body leaves, or of the stuck body, the current one.
-  void chooseBody(const std::string& id);
+  void chooseBody(const BodyId& id);
   /// Goes to the first row about one of these bodies, which were selected elsewhere. The scene stays at its step.
   void showBodies(const QSet<QString>& ids);
   /// All selected steps, in the order of removal.

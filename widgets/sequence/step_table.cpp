@@ -17,6 +17,7 @@
 #include "engine/documents/plan_tasks.h"
 #include "engine/sequence/demand_edits.h"
 #include "engine/sequence/plan_bodies.h"
+#include "widgets/controls/body_id_text.h"
 #include "widgets/controls/cell_delegates.h"
 #include "widgets/controls/diagnostic_text.h"
 #include "widgets/controls/length_text.h"
@@ -146,21 +147,21 @@ StepTable::StepTable(IconOf iconOf, QWidget* parent) : QTreeWidget(parent), icon
   setDropIndicatorShown(true);
 }
 
-QString StepTable::nameOf(const std::string& id) const {
-  const auto body = shown_.product->indexOf(id);
-  return QString::fromStdString(body ? shown_.product->bodies[*body].name : id);
+QString StepTable::nameOf(const BodyId& id) const {
+  const auto body = shown_.product->find(id);
+  return QString::fromStdString(body ? shown_.product->bodies[*body].name : id.text());
 }
 
 /// The names of the bodies, one on each line.
-QString StepTable::allNames(const std::vector<std::string>& ids) const {
+QString StepTable::allNames(const std::vector<BodyId>& ids) const {
   QStringList names;
-  for (const std::string& id : ids) names << nameOf(id);
+  for (const BodyId& id : ids) names << nameOf(id);
   return names.join(QLatin1Char('\n'));
 }
 
-QString StepTable::shortNames(const std::vector<std::string>& ids) const {
+QString StepTable::shortNames(const std::vector<BodyId>& ids) const {
   QStringList names;
-  for (const std::string& id : ids) names << QString::fromStdString(shownNameOf(id, *shown_.product));
+  for (const BodyId& id : ids) names << QString::fromStdString(shownNameOf(id, *shown_.product));
   return names.join(QStringLiteral(", "));
 }
 
@@ -196,9 +197,9 @@ void StepTable::fitColumns() {
   setColumnWidth(StepState, state);
 }
 
-void StepTable::setIcon(QTreeWidgetItem& row, const std::string& bodyId) {
-  row.setData(StepNumber, kPictureRole, QString::fromStdString(bodyId));
-  const auto body = shown_.product->indexOf(bodyId);
+void StepTable::setIcon(QTreeWidgetItem& row, const BodyId& bodyId) {
+  row.setData(StepNumber, kPictureRole, toQString(bodyId));
+  const auto body = shown_.product->find(bodyId);
   const int column = row.isFirstColumnSpanned() ? StepNumber : StepPart;
   if (body) row.setIcon(column, iconOf_(shown_.product->bodies[*body]));
 }
@@ -206,7 +207,7 @@ void StepTable::setIcon(QTreeWidgetItem& row, const std::string& bodyId) {
 void StepTable::takeIcons() {
   for (int i = 0; i < topLevelItemCount(); ++i) {
     QTreeWidgetItem* row = topLevelItem(i);
-    setIcon(*row, row->data(StepNumber, kPictureRole).toString().toStdString());
+    setIcon(*row, toBodyId(row->data(StepNumber, kPictureRole).toString()));
   }
 }
 
@@ -301,7 +302,7 @@ void StepTable::addStuck(const StuckBody& stuck) {
   auto* row = new QTreeWidgetItem(this);
   row->setFirstColumnSpanned(true);
   row->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
-  row->setData(StepNumber, kStuckRole, QString::fromStdString(stuck.body));
+  row->setData(StepNumber, kStuckRole, toQString(stuck.body));
   setIcon(*row, stuck.body);
   QStringList sentences{tr("%1 is stuck.").arg(shortNames({stuck.body}))};
   if (!stuck.blockedBy.empty()) sentences << tr("Blocked by %1.").arg(shortNames(stuck.blockedBy));
@@ -324,8 +325,8 @@ std::optional<std::size_t> StepTable::stepOf(const QTreeWidgetItem* row) {
   return static_cast<std::size_t>(row->data(StepNumber, kStepRole).toULongLong());
 }
 
-std::string StepTable::stuckOf(const QTreeWidgetItem* row) {
-  return row == nullptr ? std::string() : row->data(StepNumber, kStuckRole).toString().toStdString();
+BodyId StepTable::stuckOf(const QTreeWidgetItem* row) {
+  return row == nullptr ? BodyId() : toBodyId(row->data(StepNumber, kStuckRole).toString());
 }
 
 QTreeWidgetItem* StepTable::rowOf(std::size_t step) const {

@@ -41,7 +41,7 @@ class StepTable final : public QTreeWidget {
   void takeIcons();
   /// The step (its index in the plan), or the stuck part (its id), of a row.
   static std::optional<std::size_t> stepOf(const QTreeWidgetItem* row);
-  static std::string stuckOf(const QTreeWidgetItem* row);
+  static BodyId stuckOf(const QTreeWidgetItem* row);
   QTreeWidgetItem* rowOf(std::size_t step) const;
   /// The texts of all columns of the step's row; empty if there is none.
   QString textOf(std::size_t step) const;
@@ -49,8 +49,8 @@ class StepTable final : public QTreeWidget {
   std::vector<std::size_t> selectedSteps() const;
   /// The current row was dropped at this place.
   void dropAt(const QPoint& place);
-  QString nameOf(const std::string& id) const;
-  QString shortNames(const std::vector<std::string>& ids) const;
+  QString nameOf(const BodyId& id) const;
+  QString shortNames(const std::vector<BodyId>& ids) const;
 
  signals:
   /// A person has dragged a step to the place of another one; indices in the plan.
@@ -69,8 +69,8 @@ class StepTable final : public QTreeWidget {
   void fitColumns();
   QStringList unreachedInside(std::size_t step) const;
   void addUnreached(const SubassemblyLine& line, const LineAccess& access, QStringList& texts) const;
-  void setIcon(QTreeWidgetItem& row, const std::string& bodyId);
-  QString allNames(const std::vector<std::string>& ids) const;
+  void setIcon(QTreeWidgetItem& row, const BodyId& bodyId);
+  QString allNames(const std::vector<BodyId>& ids) const;
 
   IconOf iconOf_;
   ShownPlan shown_;

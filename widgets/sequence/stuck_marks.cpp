@@ -1,5 +1,7 @@
 #include "widgets/sequence/stuck_marks.h"
 
+#include "widgets/controls/body_id_text.h"
+
 namespace glissade {
 
 StuckMarks::StuckMarks(SemanticDocument& semantics, SequencePanel& panel)
@@ -13,8 +15,8 @@ void StuckMarks::show(const QString& bodyId) {
   marked_ = {};
   marked_.bodies.insert(bodyId);
   for (const StuckBody& stuck : plan.stuck) {
-    if (stuck.body != bodyId.toStdString()) continue;
-    for (const std::string& other : stuck.blockedBy) marked_.bodies.insert(QString::fromStdString(other));
+    if (stuck.body != toBodyId(bodyId)) continue;
+    for (const BodyId& other : stuck.blockedBy) marked_.bodies.insert(toQString(other));
   }
   panel_.showTime(static_cast<double>(plan.steps.size()));
   semantics_.select(marked_);

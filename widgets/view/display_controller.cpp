@@ -1,5 +1,7 @@
 #include "widgets/view/display_controller.h"
 
+#include "widgets/controls/body_id_text.h"
+
 #include <QActionGroup>
 
 #include <array>
@@ -52,10 +54,10 @@ void DisplayController::setMode(DisplayMode mode) {
 }
 
 void DisplayController::setModeOfSelected(std::optional<DisplayMode> mode) {
-  std::map<std::string, DisplayMode> modes = bench_.scene.view().bodyDisplayModes();
+  std::map<BodyId, DisplayMode> modes = bench_.scene.view().bodyDisplayModes();
   for (const QString& id : bench_.document.semantics().selectedBodies()) {
-    modes.erase(id.toStdString());
-    if (mode) modes.emplace(id.toStdString(), *mode);
+    modes.erase(toBodyId(id));
+    if (mode) modes.emplace(toBodyId(id), *mode);
   }
   bench_.scene.view().setBodyDisplayModes(modes);
   bench_.scene.refresh();

@@ -3,6 +3,7 @@
 #include <QActionGroup>
 #include <QEvent>
 
+#include "widgets/controls/body_id_text.h"
 #include "widgets/controls/length_text.h"
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/label_overlay.h"
@@ -86,8 +87,8 @@ void ViewController::showCamera() {
 
 /// Shows the selected bodies, or everything if none is selected.
 void ViewController::zoomToSelection() {
-  std::set<std::string> ids;
-  for (const QString& id : bench_.document.semantics().selectedBodies()) ids.insert(id.toStdString());
+  std::set<BodyId> ids;
+  for (const QString& id : bench_.document.semantics().selectedBodies()) ids.insert(toBodyId(id));
   const Box3 box = bench_.scene.view().extentOf(ids);
   if (box.isEmpty()) {
     bench_.scene.view().fit();

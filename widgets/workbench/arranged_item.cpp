@@ -1,5 +1,7 @@
 #include "widgets/workbench/arranged_item.h"
 
+#include "widgets/controls/body_id_text.h"
+
 #include <QCoreApplication>
 
 namespace glissade {
@@ -46,7 +48,7 @@ QString nameOf(const AssemblyItem& item) {
     case AssemblyItem::Kind::Goal: return QCoreApplication::translate("Arranging", "the goal");
     case AssemblyItem::Kind::Body: break;
   }
-  return QString::fromStdString(item.bodyId);
+  return toQString(item.bodyId);
 }
 
 }  // namespace glissade

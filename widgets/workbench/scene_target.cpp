@@ -1,6 +1,7 @@
 #include "widgets/workbench/scene_target.h"
 
 #include "engine/files/scenario_bodies.h"
+#include "widgets/controls/body_id_text.h"
 #include "widgets/workbench/scene_ray.h"
 
 namespace glissade {
@@ -30,7 +31,7 @@ SceneTarget targetAlong(const Workbench& bench, const Ray& ray) {
   if (knowledge && view.layerVisible(SceneLayer::Places)) {
     target.place = pickPlace(knowledge->environment->map, ray, farthest);
   } else if (body && !isInObject(scenario, bodies[body->body].id)) {
-    target.body = QString::fromStdString(bodies[body->body].id);
+    target.body = toQString(bodies[body->body].id);
   }
   return target;
 }

@@ -50,7 +50,7 @@ class Page {
   std::string sceneData() const {
     nlohmann::json data{
         {"steps", nlohmann::json::array()}, {"views", nlohmann::json::array()}, {"lines", nlohmann::json::object()}};
-    std::map<std::string, std::size_t> stepOf;
+    std::map<BodyId, std::size_t> stepOf;
     std::size_t step = 0;
     for (std::size_t i = 0; i < instruction_.panels.size(); ++i) {
       const InstructionPanel& panel = instruction_.panels[i];
@@ -58,12 +58,12 @@ class Page {
       for (const AssemblyStep& each : panel.steps) {
         if (!panel.subassembly.empty()) continue;
         ++step;
-        for (const std::string& id : each.bodies()) stepOf[id] = step;
+        for (const BodyId& id : each.bodies()) stepOf[id] = step;
       }
       const Vector3 eye = panel.view.toEye();
       data["views"].push_back({eye.x(), eye.z(), -eye.y()});
     }
-    for (const std::string& id : instruction_.bodies) data["steps"].push_back(stepOf.count(id) ? stepOf[id] : 0);
+    for (const BodyId& id : instruction_.bodies) data["steps"].push_back(stepOf.count(id) ? stepOf[id] : 0);
     return inScript(jsonText(data));
   }
 
@@ -76,9 +76,9 @@ class Page {
     return !panel.subassembly.empty() && !panel.steps.empty();
   }
 
-  nlohmann::json numbersOf(const std::vector<std::string>& ids) const {
+  nlohmann::json numbersOf(const std::vector<BodyId>& ids) const {
     nlohmann::json numbers = nlohmann::json::array();
-    for (const std::string& id : ids) {
+    for (const BodyId& id : ids) {
       numbers.push_back(std::find(instruction_.bodies.begin(), instruction_.bodies.end(), id) -
                         instruction_.bodies.begin());
     }
@@ -100,7 +100,7 @@ class Page {
     return line;
   }
 
-  std::string partImage(const std::vector<std::string>& bodies, const std::string& text) const {
+  std::string partImage(const std::vector<BodyId>& bodies, const std::string& text) const {
     const auto found = pictures_.parts.find(bodies);
     return found == pictures_.parts.end() ? std::string() : image("image/png", found->second, text);
   }

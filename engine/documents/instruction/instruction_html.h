@@ -12,9 +12,9 @@ namespace glissade {
 
 /// Pictures of an instruction; each is the content of a PNG file.
 struct InstructionPictures {
-  std::string finished;                                   ///< picture of the finished product
-  std::vector<std::string> panels;                        ///< one picture for each panel
-  std::map<std::vector<std::string>, std::string> parts;  ///< pictures of parts, by the ids of the drawn bodies
+  std::string finished;                              ///< picture of the finished product
+  std::vector<std::string> panels;                   ///< one picture for each panel
+  std::map<std::vector<BodyId>, std::string> parts;  ///< pictures of parts, by the ids of the drawn bodies
 };
 
 /// The 3D view of an instruction.

@@ -35,7 +35,7 @@ struct PageText {
 /// A picture of parts to fetch: for a row of the parts list, or for a panel.
 struct PagePart {
   PageRect rect;
-  std::vector<std::string> bodies;  ///< ids of the drawn bodies
+  std::vector<BodyId> bodies;  ///< ids of the drawn bodies
 };
 
 /// The picture of a panel, or of the finished product where `panel` is nothing.

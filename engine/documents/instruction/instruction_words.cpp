@@ -42,7 +42,7 @@ bool turnsOnItsWay(const AssemblyStep& step) {
 }  // namespace
 
 std::string workSentence(const AssemblyStep& step, const std::string& what, const DocumentWords& words) {
-  const std::vector<std::string> bodies = step.bodies();
+  const std::vector<BodyId> bodies = step.bodies();
   for (const StepJoint& joint : step.joints) {
     const bool isOwn = std::find(bodies.begin(), bodies.end(), joint.body) != bodies.end();
     if (const auto sentence = sentenceOf(joint, isOwn)) return words(*sentence, {what});

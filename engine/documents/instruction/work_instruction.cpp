@@ -36,14 +36,14 @@ class Instructor {
     made_.language = words_.words().language();
     made_.title = title;
     made_.steps = plan_.steps.size();
-    for (const RigidBody& body : product_.bodies) made_.bodies.push_back(body.id);
+    made_.bodies = idsOf(product_.bodies);
     made_.parts = partsList(plan_, product_);
-    std::set<std::string> leaving;
+    std::set<BodyId> leaving;
     for (const AssemblyStep& step : plan_.steps) {
-      for (const std::string& id : step.bodies()) leaving.insert(id);
+      for (const BodyId& id : step.bodies()) leaving.insert(id);
     }
-    std::vector<std::string> base;
-    for (const std::string& id : made_.bodies) {
+    std::vector<BodyId> base;
+    for (const BodyId& id : made_.bodies) {
       if (leaving.count(id) == 0) base.push_back(id);
     }
     addLine(plan_.steps, plan_.lines, base, {});
@@ -51,7 +51,7 @@ class Instructor {
   }
 
  private:
-  using Ids = std::vector<std::string>;
+  using Ids = std::vector<BodyId>;
 
   std::string say(CatalogueText text, std::initializer_list<MessageArgument> arguments = {}) const {
     return words_.words()(text, arguments);
@@ -112,10 +112,10 @@ class Instructor {
     made_.panels.push_back(std::move(panel));
   }
 
-  const PartsListRow& rowOf(const std::string& id) {
+  const PartsListRow& rowOf(const BodyId& id) {
     if (rowOf_.empty()) {
       for (const PartsListRow& row : made_.parts) {
-        for (const std::string& body : row.bodies) rowOf_[body] = &row;
+        for (const BodyId& body : row.bodies) rowOf_[body] = &row;
       }
     }
     return *rowOf_.at(id);
@@ -125,7 +125,7 @@ class Instructor {
   std::vector<FetchedPart> fetched(const Ids& ids) {
     std::vector<FetchedPart> parts;
     std::map<const PartsListRow*, std::size_t> known;
-    for (const std::string& id : ids) {
+    for (const BodyId& id : ids) {
       const PartsListRow& row = rowOf(id);
       const auto [at, isNew] = known.emplace(&row, parts.size());
       if (isNew) {
@@ -221,8 +221,7 @@ class Instructor {
   void look(InstructionPanel& panel, const Viewpoint& before) {
     BodySet present(product_.bodies.size(), false);
     Box3 box;
-    for (const std::string& id : panel.present) {
-      const std::size_t body = *product_.indexOf(id);
+    for (const std::size_t body : product_.indicesOf(panel.present)) {
       present[body] = true;
       box.extend(boundingBox(*product_.bodies[body].mesh, product_.bodies[body].X_WB));
     }
@@ -264,7 +263,7 @@ class Instructor {
   const WorkWatch& watch_;
   StepView view_;
   WorkInstruction made_;
-  std::map<std::string, const PartsListRow*> rowOf_;
+  std::map<BodyId, const PartsListRow*> rowOf_;
 };
 
 }  // namespace

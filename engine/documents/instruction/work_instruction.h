@@ -12,17 +12,17 @@ namespace glissade {
 
 /// Equal parts that a person fetches for a panel.
 struct FetchedPart {
-  std::vector<std::string> bodies;  ///< ids of the drawn bodies: one part, or all parts of a subassembly
+  std::vector<BodyId> bodies;  ///< ids of the drawn bodies: one part, or all parts of a subassembly
   std::string name;
   std::size_t count = 1;
 };
 
 /// A unit of work with one picture: the start of a product or of a subassembly, or a task.
 struct InstructionPanel {
-  std::string number;                ///< taskNumber(); empty: the start
-  std::string subassembly;           ///< number of the step that brings the subassembly; empty: the product
-  std::vector<AssemblyStep> steps;   ///< steps in the order of assembly; empty for the start
-  std::vector<std::string> present;  ///< ids of the bodies that are present before
+  std::string number;               ///< taskNumber(); empty: the start
+  std::string subassembly;          ///< number of the step that brings the subassembly; empty: the product
+  std::vector<AssemblyStep> steps;  ///< steps in the order of assembly; empty for the start
+  std::vector<BodyId> present;      ///< ids of the bodies that are present before
   std::vector<FetchedPart> fetched;
   std::string work;                ///< sentence with one verb: "Screw in 4 × ISO 4762 M3x8."
   std::string tool;                ///< for example "Hex key 2.5"; empty: none
@@ -37,8 +37,8 @@ struct InstructionPanel {
 struct WorkInstruction {
   Language language = Language::English;
   std::string title;
-  std::size_t steps = 0;            ///< number of steps of the plan
-  std::vector<std::string> bodies;  ///< ids of the whole product
+  std::size_t steps = 0;       ///< number of steps of the plan
+  std::vector<BodyId> bodies;  ///< ids of the whole product
   std::vector<PartsListRow> parts;
   std::vector<std::string> tools;  ///< without duplicates
   std::vector<InstructionPanel> panels;

@@ -21,7 +21,7 @@ std::vector<RigidBody> bodiesOf(const Problem& problem) {
   std::vector<RigidBody> bodies = problem.world->obstacles();
   if (!problem.scene.edits) return bodies;
   for (RigidBody& body : bodies) {
-    const auto edited = problem.scene.edits->bodies.find(bodyIdOf(body.id));
+    const auto edited = problem.scene.edits->bodies.find(bodyIdOf(body.id).text());
     if (edited == problem.scene.edits->bodies.end()) continue;
     const auto mobility = edited->second.find("mobility");
     if (mobility == edited->second.end()) continue;

@@ -7,7 +7,7 @@
 namespace glissade {
 namespace {
 
-AssemblyStep stepOf(const std::string& body, const Pose& X_WB, const Vector3& way) {
+AssemblyStep stepOf(const BodyId& body, const Pose& X_WB, const Vector3& way) {
   AssemblyStep step;
   step.body = body;
   Pose end = X_WB;
@@ -27,12 +27,12 @@ AssembledProduct pinInTube() {
   return test::productOf(std::move(bodies), false);
 }
 
-AssemblyPlan planOf(const AssembledProduct& product, const std::vector<std::string>& order) {
+AssemblyPlan planOf(const AssembledProduct& product, const std::vector<BodyId>& order) {
   AssemblyPlan plan;
   for (const RigidBody& body : product.bodies) plan.bodies.push_back(body.id);
   plan.staying = {"floor"};
-  for (const std::string& id : order) {
-    plan.steps.push_back(stepOf(id, product.bodies[*product.indexOf(id)].X_WB, {0.0, 0.0, 0.5}));
+  for (const BodyId& id : order) {
+    plan.steps.push_back(stepOf(id, product.bodies[product.indexOf(id)].X_WB, {0.0, 0.0, 0.5}));
   }
   return plan;
 }
@@ -52,7 +52,7 @@ TEST(PlanAccess, CountsOnlyWhatIsStillThere) {
 /// The tube leaves with its pin, and is then taken apart: the pin first, or last. The floor is absent then.
 TEST(PlanAccess, AsksAboutGroupsThatAreTakenApart) {
   const AssembledProduct product = pinInTube();
-  const auto withTube = [&product](const std::vector<std::string>& order) {
+  const auto withTube = [&product](const std::vector<BodyId>& order) {
     AssemblyPlan plan = planOf(product, {"pin"});
     plan.steps[0].with = {"x0", "x1", "y0", "y1"};
     plan.lines = {{1, plan.steps[0].bodies(), {}, planOf(product, order).steps}};

@@ -10,7 +10,7 @@
 namespace glissade::test {
 
 inline evidence::Body checkBody(const std::string& id, TriangleMesh mesh, const Vector3& at = Vector3::Zero()) {
-  return {id, id, std::make_shared<const TriangleMesh>(std::move(mesh)), Pose::translation(at)};
+  return {BodyId(id), id, std::make_shared<const TriangleMesh>(std::move(mesh)), Pose::translation(at)};
 }
 
 /// An upright prism with `sides` sides about z, from 0 to its height; `turn`: radians.

@@ -14,7 +14,8 @@ MeshPtr ball(int subdivisions) { return std::make_shared<const TriangleMesh>(mak
 
 std::vector<Body> bodiesOf(const std::vector<MeshPtr>& meshes) {
   std::vector<Body> bodies;
-  for (const MeshPtr& mesh : meshes) bodies.push_back({std::to_string(bodies.size()), "", mesh, Pose::identity()});
+  for (const MeshPtr& mesh : meshes)
+    bodies.push_back({BodyId(std::to_string(bodies.size())), "", mesh, Pose::identity()});
   return bodies;
 }
 

@@ -21,7 +21,7 @@ std::string whyNot(const check::PlanVerdict& verdict, const AssembledProduct& pr
 TEST(PlanVerdict, AgreesWithThePlanner) {
   const AssembledProduct product = test::lockedDrawer();
   const AssemblyPlan plan = test::planOf(product, "cabinet");
-  ASSERT_EQ(test::orderOf(plan), (std::vector<std::string>{"cap", "pin", "drawer"}));
+  ASSERT_EQ(test::orderOf(plan), (std::vector<BodyId>{"cap", "pin", "drawer"}));
   const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt);
   EXPECT_EQ(verdict.steps.size(), 3U);
   EXPECT_TRUE(verdict.valid()) << whyNot(verdict, product);
@@ -35,7 +35,7 @@ TEST(PlanVerdict, RefusesAnOrderThatIsNotFree) {
   const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt);
   EXPECT_TRUE(verdict.steps[0].valid());
   EXPECT_FALSE(verdict.steps[1].valid()) << "the drawer through its pin";
-  EXPECT_EQ(verdict.steps[1].motion.verdict.nearest.body, static_cast<int>(*product.indexOf("pin")));
+  EXPECT_EQ(verdict.steps[1].motion.verdict.nearest.body, static_cast<int>(product.indexOf("pin")));
 }
 
 /// A body may be there if the step does not have to come after its removal.
@@ -93,7 +93,7 @@ TEST(PlanVerdict, ReportsNoAllowanceAgainstWhatHasLeft) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     if (line.find("step 1: allowance") == std::string::npos) continue;
-    EXPECT_EQ(line.find("'" + plan.steps[0].body + "'"), std::string::npos) << line;
+    EXPECT_EQ(line.find("'" + plan.steps[0].body.text() + "'"), std::string::npos) << line;
   }
   EXPECT_NE(text.find("step 1: allowance"), std::string::npos) << "against the base";
 }
@@ -127,7 +127,7 @@ AssembledProduct boltedPlate() {
 TEST(PlanVerdict, NutsLeaveTheirBoltFirstAndByTurningOnly) {
   const AssembledProduct product = boltedPlate();
   const AssemblyPlan plan = test::planOf(product, "plate");
-  ASSERT_EQ(test::orderOf(plan), (std::vector<std::string>{"nut", "nut#2", "bolt"}));
+  ASSERT_EQ(test::orderOf(plan), (std::vector<BodyId>{"nut", "nut#2", "bolt"}));
   EXPECT_EQ(plan.steps[0].method, "turned");
   ASSERT_EQ(plan.steps[0].allowances.size(), 1U);
   EXPECT_EQ(plan.steps[0].allowances[0].pitch, test::kCoarsePitch);
@@ -141,7 +141,7 @@ TEST(PlanVerdict, NutsLeaveTheirBoltFirstAndByTurningOnly) {
   const check::PlanVerdict verdict = judgePlan(pulling, product, std::nullopt);
   EXPECT_FALSE(verdict.steps[0].valid());
   EXPECT_TRUE(verdict.steps[0].motion.verdict.againstThread);
-  EXPECT_EQ(verdict.steps[0].motion.verdict.nearest.body, static_cast<int>(*product.indexOf("bolt")));
+  EXPECT_EQ(verdict.steps[0].motion.verdict.nearest.body, static_cast<int>(product.indexOf("bolt")));
 }
 
 /// Nobody marks a thread and the cylinders are equal: the step's joint states that there is a thread.
@@ -169,7 +169,7 @@ TEST(PlanVerdict, AJointOfTheStepIsAThread) {
     return !step.pulls.empty() || !step.refusals.empty();
   };
   EXPECT_FALSE(isReported());
-  const std::string other = plan.steps[0].body == "bolt" ? "collar" : "bolt";
+  const BodyId other(plan.steps[0].body == "bolt" ? "collar" : "bolt");
   plan.steps[0].joints = {{JointKind::Pin, plan.steps[0].body, {other}}};
   EXPECT_FALSE(isReported());
   for (const JointKind kind : {JointKind::Nut, JointKind::Screw, JointKind::Thread}) {
@@ -195,7 +195,7 @@ TEST(PlanVerdict, AGroupWithANutLeavesTheBoltByTurningOnly) {
   question.rules.together = {{1, 2}};
   const AssemblyPlan plan = makeSequenceStrategyRegistry().find("greedy")->make()->plan(question, host);
   ASSERT_EQ(plan.steps.size(), 1U);
-  EXPECT_EQ(plan.steps[0].bodies(), (std::vector<std::string>{"nut", "cap"}));
+  EXPECT_EQ(plan.steps[0].bodies(), (std::vector<BodyId>{"nut", "cap"}));
   EXPECT_EQ(plan.steps[0].method, "turned");
   ASSERT_EQ(plan.steps[0].allowances.size(), 1U);
   EXPECT_EQ(plan.steps[0].allowances[0].pitch, test::kCoarsePitch);
@@ -227,7 +227,7 @@ struct PlanOfLines : ::testing::Test {
     plan.lines = {{1, {"drawer", "pin"}, {"drawer"}, {straight({"pin"}, {0.0, 0.0, 0.2})}, {}, {}}};
   }
 
-  static AssemblyStep straight(const std::vector<std::string>& bodies, const Vector3& way) {
+  static AssemblyStep straight(const std::vector<BodyId>& bodies, const Vector3& way) {
     AssemblyStep step;
     step.body = bodies.front();
     step.with.assign(bodies.begin() + 1, bodies.end());

@@ -38,7 +38,7 @@ struct PlanOfWords : ::testing::Test {
     plan.steps[1].after = {1};
   }
 
-  static AssemblyStep upwards(const std::vector<std::string>& bodies) {
+  static AssemblyStep upwards(const std::vector<BodyId>& bodies) {
     AssemblyStep step;
     step.body = bodies.front();
     step.with.assign(bodies.begin() + 1, bodies.end());
@@ -51,7 +51,7 @@ struct PlanOfWords : ::testing::Test {
     for (const check::Condition& each : verdict().allConditions()) texts.push_back(toString(each.text));
     return texts;
   }
-  void confirm(JointKind kind, const std::string& body, const std::vector<std::string>& others) {
+  void confirm(JointKind kind, const BodyId& body, const std::vector<BodyId>& others) {
     JointEdit edit;
     edit.key = {kind, body, others};
     edit.word = JointEdit::Word::Confirmed;

@@ -69,7 +69,7 @@ Scenario randomGroup(RandomStream& random) {
   Scenario scenario;
   scenario.object.bodies.clear();
   const auto body = [&random](const std::string& id) {
-    BodyDescription description{id, "rack/" + id, Mobility::Static, BoxGeometry{{0.1, 0.1, 0.1}}};
+    BodyDescription description{BodyId(id), "rack/" + id, Mobility::Static, BoxGeometry{{0.1, 0.1, 0.1}}};
     description.pose = randomPose(random, 1.0);
     return description;
   };
@@ -85,7 +85,7 @@ Scenario randomGroup(RandomStream& random) {
   for (std::size_t i = 0; i < ids.size(); ++i) {
     for (std::size_t j = i + 1; j < ids.size(); ++j) {
       if (random.uniform() < 0.4) continue;
-      FitEdit edit{ids.substr(i, 1), ids.substr(j, 1), {}, {}, random.uniform() < 0.7};
+      FitEdit edit{BodyId(ids.substr(i, 1)), BodyId(ids.substr(j, 1)), {}, {}, random.uniform() < 0.7};
       if (random.uniform() < 0.5) edit.kind = ContactKind::Planar;
       scenario.fits.pairs.push_back(edit);
     }

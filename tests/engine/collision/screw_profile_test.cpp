@@ -25,7 +25,8 @@ std::vector<Triangle> trianglesOf(const TriangleMesh& mesh, const Pose& X_WM = {
 
 RigidBody bodyOf(TriangleMesh mesh) {
   RigidBody body;
-  body.id = body.name = "body";
+  body.id = "body";
+  body.name = "body";
   body.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
   return body;
 }

@@ -115,7 +115,7 @@ TEST(ThreadRule, ManyTurnsAreCertifiedAndAPullIsNot) {
   RandomStream random(2, "many turns");
   for (const bool nutMoves : {true, false}) {
     FitSettings settings = test::markedThread();
-    settings.pairs.front().turned = nutMoves ? "nut" : "bolt";
+    settings.pairs.front().turned = BodyId(nutMoves ? "nut" : "bolt");
     const NutOnBolt parts(random, nutMoves, settings);
     constexpr double kTurnsOut = 3.0;
     ASSERT_EQ(parts.parts.fits.allowed.size(), 1U);

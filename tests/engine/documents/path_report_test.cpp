@@ -19,7 +19,8 @@ class PathReport : public testing::Test {
     scenario.object.first().name = "box";
     scenario.object.first().geometry = BoxGeometry{{0.1, 0.1, 0.1}};
     BodyDescription shelf;
-    shelf.id = shelf.name = "shelf";
+    shelf.id = "shelf";
+    shelf.name = "shelf";
     shelf.geometry = BoxGeometry{{1.0, 0.02, 1.0}};
     shelf.pose = Pose::translation({0.0, 0.1, 0.0});
     scenario.bodies.push_back(shelf);

@@ -15,7 +15,7 @@
 namespace glissade {
 namespace {
 
-AssemblyStep stepOf(const std::string& body, const std::vector<Pose>& way) {
+AssemblyStep stepOf(const BodyId& body, const std::vector<Pose>& way) {
   AssemblyStep step;
   step.body = body;
   for (const Pose& q : way) step.path.push_back({q, Author::Computer});

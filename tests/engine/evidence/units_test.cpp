@@ -16,10 +16,10 @@ using test::tubeMesh;
 class Bodies {
  public:
   Bodies& add(const std::string& name, TriangleMesh mesh, const Vector3& at = Vector3::Zero()) {
-    all_.push_back({name, name, std::make_shared<const TriangleMesh>(std::move(mesh)), Pose::translation(at)});
+    all_.push_back({BodyId(name), name, std::make_shared<const TriangleMesh>(std::move(mesh)), Pose::translation(at)});
     return *this;
   }
-  bool areUnit(const std::vector<std::vector<std::string>>& said = {}) const {
+  bool areUnit(const std::vector<std::vector<BodyId>>& said = {}) const {
     std::vector<const Body*> bodies;
     for (const Body& body : all_) bodies.push_back(&body);
     PlacedBodies placed;

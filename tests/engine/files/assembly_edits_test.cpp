@@ -32,7 +32,7 @@ void expectRefused(const Outcome& outcome, const std::string& reason) {
 /// Bounding box of a rigid body, or of the object at its start, world frame.
 TEST(AssemblyEdits, PutBodiesAndEndsSomewhere) {
   Scenario scenario = test::boxScenario();
-  const std::string id = scenario.bodies.front().id;
+  const BodyId id = scenario.bodies.front().id;
   const Pose there = Pose::translation({1, 2, 3});
   for (const AssemblyItem& item : {AssemblyItem{AssemblyItem::Kind::Body, id}, kStart, kGoal}) {
     ASSERT_TRUE(place(item, there, scenario).ok());
@@ -48,7 +48,7 @@ TEST(AssemblyEdits, PutBodiesAndEndsSomewhere) {
 TEST(AssemblyEdits, ABodyIsRenamedWithinItsAssembly) {
   Scenario scenario = test::boxScenario();
   scenario.bodies.front().name = "frame/left/block";
-  const std::string id = scenario.bodies.front().id;
+  const BodyId id = scenario.bodies.front().id;
   ASSERT_TRUE(renameBody(id, "support", scenario).ok());
   EXPECT_EQ(scenario.bodies.front().name, "frame/left/support");
   for (const char* name : {"", "a/b"}) expectRefused(renameBody(id, name, scenario), "cannot have the name");
@@ -116,7 +116,7 @@ Scenario rowOfBoxes() {
   scenario.object.bodies = {{"a", "rack/a", Mobility::Static, BoxGeometry{{0.1, 0.1, 0.1}}}};
   for (const char* id : {"b", "c", "d"}) {
     const double x = 0.2 * static_cast<double>(scenario.bodies.size() + 1);
-    scenario.bodies.push_back({id, std::string("rack/") + id, Mobility::Static, BoxGeometry{{0.1, 0.1, 0.1}},
+    scenario.bodies.push_back({BodyId(id), std::string("rack/") + id, Mobility::Static, BoxGeometry{{0.1, 0.1, 0.1}},
                                Pose{Vector3(x, 0.0, 0.0), fromRollPitchYaw(0.0, 0.0, x)}});
   }
   scenario.goal = GoalOut{};
@@ -124,16 +124,10 @@ Scenario rowOfBoxes() {
   return scenario;
 }
 
-std::vector<std::string> idsOf(const std::vector<RigidBody>& bodies) {
-  std::vector<std::string> ids;
-  for (const RigidBody& body : bodies) ids.push_back(body.id);
-  return ids;
-}
-
 /// Bounding box of a body of the product, whether it moves or not.
 Box3 boxInProduct(const LoadedScenario& loaded, const std::string& id) {
   for (const RigidBody& body : rigidBodiesOf(loaded)) {
-    if (body.id == id) return boundingBox(*body.mesh, body.X_WB);
+    if (body.id.text() == id) return boundingBox(*body.mesh, body.X_WB);
   }
   ADD_FAILURE() << "no body " << id;
   return {};
@@ -144,8 +138,8 @@ TEST(AssemblyEdits, AGroupMovesAsOneAndEachOfItsBodiesStaysInTheProduct) {
   Scenario grouped = before.scenario;
   ASSERT_TRUE(markMoving({"c", "b"}, before, grouped).ok());
   const LoadedScenario group = loadedFrom(grouped);
-  EXPECT_EQ(idsOf(group.obstacles), (std::vector<std::string>{"a", "d"}));
-  EXPECT_EQ(idsOf(group.objectBodies), (std::vector<std::string>{"c", "b"}));
+  EXPECT_EQ(idsOf(group.obstacles), (std::vector<BodyId>{"a", "d"}));
+  EXPECT_EQ(idsOf(group.objectBodies), (std::vector<BodyId>{"c", "b"}));
   EXPECT_EQ(group.object.id, "c");
   EXPECT_EQ(group.object.shown(), "c + 1");
   EXPECT_EQ(idOf(grouped.object), "c+b");

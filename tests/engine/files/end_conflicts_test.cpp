@@ -11,11 +11,13 @@ namespace {
 /// A cube of 0.2 m between two blocks.
 Scenario betweenBlocks(double x) {
   Scenario scenario;
-  scenario.object.first().id = scenario.object.first().name = "cube";
+  scenario.object.first().id = "cube";
+  scenario.object.first().name = "cube";
   scenario.object.first().geometry = BoxGeometry{{0.2, 0.2, 0.2}};
   for (const double side : {-1.0, 1.0}) {
     BodyDescription block;
-    block.id = block.name = side < 0.0 ? "left" : "right";
+    block.name = side < 0.0 ? "left" : "right";
+    block.id = BodyId(block.name);
     block.geometry = BoxGeometry{{0.2, 1.0, 1.0}};
     block.pose.position.x() = side * 0.3;
     scenario.bodies.push_back(block);

@@ -32,7 +32,7 @@ TEST(GrowingPlan, CanBeSavedReadAndProvedAtAnyStep) {
   const test::TemporaryFolder folder;
   const std::string file = folder / "growing.json";
   BodySet staying(product.bodies.size(), false);
-  staying[*product.indexOf("cabinet")] = true;
+  staying[product.indexOf("cabinet")] = true;
   const auto plan = planSequence(product, test::fitsOf(product), {staying, "best-first", 3, demands}, host);
   ASSERT_TRUE(plan.ok()) << toString(plan.error());
   ASSERT_GE(host.plans.size(), 2U);

@@ -8,8 +8,8 @@
 namespace glissade {
 namespace {
 
-BodyDescription box(const std::string& id, double x) {
-  return {id, id, Mobility::Static, BoxGeometry{{0.1, 0.1, 0.1}}, Pose::translation({x, 0.0, 0.0}), {}, {}};
+BodyDescription box(const BodyId& id, double x) {
+  return {id, id.text(), Mobility::Static, BoxGeometry{{0.1, 0.1, 0.1}}, Pose::translation({x, 0.0, 0.0}), {}, {}};
 }
 
 Scenario threeBoxes() {

@@ -36,7 +36,7 @@ Scenario scenarioOf(const TrayProduct& product) {
 
 std::vector<std::string> bodyIds(const Scenario& scenario) {
   std::vector<std::string> ids;
-  for (const BodyDescription& body : scenario.bodies) ids.push_back(body.id);
+  for (const BodyDescription& body : scenario.bodies) ids.push_back(body.id.text());
   return ids;
 }
 

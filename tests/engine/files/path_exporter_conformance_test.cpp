@@ -150,7 +150,8 @@ TEST_P(PathExporterConformance, ManagesWithoutAScenarioWhereItSaysSo) {
 }
 
 TEST_P(PathExporterConformance, NamesMayBeAnyBytes) {
-  scenario_.scenario.name = scenario_.obstacles[0].id = scenario_.obstacles[0].name = "\xE9\x01\"";
+  scenario_.scenario.name = scenario_.obstacles[0].name = "\xE9\x01\"";
+  scenario_.obstacles[0].id = "\xE9\x01\"";
   scenario_.object.name = "";
   written("a");
 }

@@ -25,12 +25,12 @@ TEST(PlanFile, ReadsWhatItWrites) {
   EXPECT_EQ(plan->steps[0].path[1].q, test::somePlan().steps[0].path[1].q);
   EXPECT_EQ(plan->parts(), 5U);
   EXPECT_EQ(plan->removed(), 3U);
-  EXPECT_EQ(plan->steps[1].bodies(), (std::vector<std::string>{"wheel", "bearing"}));
+  EXPECT_EQ(plan->steps[1].bodies(), (std::vector<BodyId>{"wheel", "bearing"}));
   EXPECT_EQ(plan->steps[0].fastener, FastenerKind::Nut);
   EXPECT_TRUE(plan->steps[1].allowances[0].yields);
   EXPECT_EQ(plan->demands, test::somePlan().demands);
   ASSERT_EQ(plan->steps[1].violates.size(), 2U);
-  EXPECT_EQ(plan->steps[1].violates[0].bodies, std::vector<std::string>{"bolt"});
+  EXPECT_EQ(plan->steps[1].violates[0].bodies, std::vector<BodyId>{"bolt"});
 }
 
 TEST(PlanFile, RefusesAChangedOne) {
@@ -108,8 +108,14 @@ TEST(PlanFile, AStepThatDoesNotSayIsAfterAllEarlierOnes) {
 }
 
 TEST(PlanFile, IsAboutOneProduct) {
-  EXPECT_TRUE(checkSameBodies(test::somePlan(), {"plate", "nut", "bolt", "rod", "wheel", "bearing"}, "plan.json").ok());
-  const auto other = checkSameBodies(test::somePlan(), {"plate", "bolt", "rod"}, "plan.json");
+  const auto productOf = [](const std::vector<BodyId>& ids) {
+    AssembledProduct product;
+    for (const BodyId& id : ids) product.bodies.emplace_back().id = id;
+    return product;
+  };
+  const AssembledProduct product = productOf({"plate", "nut", "bolt", "rod", "wheel", "bearing"});
+  EXPECT_TRUE(checkSameBodies(test::somePlan(), product, "plan.json").ok());
+  const auto other = checkSameBodies(test::somePlan(), productOf({"plate", "bolt", "rod"}), "plan.json");
   ASSERT_FALSE(other.ok());
   EXPECT_NE(toString(other.error().reason).find("'nut'"), std::string::npos);
 }

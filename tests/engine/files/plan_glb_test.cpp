@@ -14,8 +14,8 @@ using Elements = std::vector<std::vector<float>>;
 AssemblyPlan planOfDrawer(const AssembledProduct& product) {
   AssemblyPlan plan;
   int axis = 0;
-  for (const char* id : {"cap", "pin", "drawer"}) {
-    const Pose& start = product.bodies[*product.indexOf(id)].X_WB;
+  for (const BodyId& id : std::vector<BodyId>{"cap", "pin", "drawer"}) {
+    const Pose& start = product.bodies[product.indexOf(id)].X_WB;
     AssemblyStep step;
     step.body = id;
     step.path = {{start, Author::Computer},

@@ -12,7 +12,7 @@ Scenario scenarioOf(const std::vector<std::string>& paths) {
   Scenario scenario;
   scenario.object.first() = {paths[0], paths[0], Mobility::Static, BoxGeometry{}};
   for (std::size_t i = 1; i < paths.size(); ++i) {
-    scenario.bodies.push_back({paths[i], paths[i], Mobility::Static, BoxGeometry{}});
+    scenario.bodies.push_back({BodyId(paths[i]), paths[i], Mobility::Static, BoxGeometry{}});
   }
   return scenario;
 }

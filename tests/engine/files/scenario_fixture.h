@@ -142,7 +142,7 @@ inline Scenario fullScenario() {
   KeptPath kept;
   kept.name = "Weg \"1\"";
   kept.pinned = kept.smoothed = true;
-  kept.object = scenario.object.first().id;
+  kept.object = scenario.object.first().id.text();
   kept.provenance = {"gts", 12};
   kept.requiredClearance = 1.0 / 3e6;
   kept.clearance = 0.25;

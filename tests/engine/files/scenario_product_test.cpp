@@ -31,8 +31,10 @@ Scenario boxesNamed(const std::vector<std::string>& names) {
   scenario.bodies.clear();
   for (const std::string& name : names) {
     BodyDescription body;
-    body.name = body.id = name;
-    std::replace(body.id.begin(), body.id.end(), '/', '.');
+    body.name = name;
+    std::string id = name;
+    std::replace(id.begin(), id.end(), '/', '.');
+    body.id = BodyId(id);
     body.geometry = BoxGeometry{{0.1, 0.1, 0.1}};
     body.pose = Pose::translation({0.2 * static_cast<double>(scenario.bodies.size()), 2.0, 0.0});
     scenario.bodies.push_back(body);
@@ -62,7 +64,7 @@ std::string parentOf(const std::string& id, const Product& product) {
 TEST(ScenarioProduct, AFileOfBeforeHasTheAssembliesOfItsNames) {
   const Product product = treeOf(boxesNamed({"rod/nut", "rod/nut#2", "plate", "rod/inner/pin"}));
   EXPECT_THAT(assembliesOf(product), ElementsAre("rod", "rod/inner"));
-  EXPECT_THAT(product.bodiesBelow(0), ElementsAre("rod.nut", "rod.nut#2", "rod.inner.pin"));
+  EXPECT_THAT(textsOf(product.bodiesBelow(0)), ElementsAre("rod.nut", "rod.nut#2", "rod.inner.pin"));
 }
 
 TEST(ScenarioProduct, WhatMovesAndWhatIsLeftOutAreNodesAsWell) {
@@ -71,7 +73,7 @@ TEST(ScenarioProduct, WhatMovesAndWhatIsLeftOutAreNodesAsWell) {
   scenario.leftOut = {scenario.bodies[1]};
   scenario.bodies.erase(scenario.bodies.begin(), scenario.bodies.begin() + 2);
   const Product product = treeOf(scenario);
-  EXPECT_THAT(product.bodiesBelow(*product.find("rod")), ElementsAre("rod.ring", "rod.nut", "rod.pin"));
+  EXPECT_THAT(textsOf(product.bodiesBelow(*product.find("rod"))), ElementsAre("rod.ring", "rod.nut", "rod.pin"));
 }
 
 TEST(ScenarioProduct, AnAttributeOfAnAssemblyHoldsForItsBodiesUnlessTheySayOtherwise) {
@@ -137,7 +139,8 @@ TEST(ScenarioProduct, BodiesOfOneDescriptionStandBelowIt) {
     Scenario scenario = test::boxScenario();
     scenario.assets = {{"unit", test::stepFile("unit.step"), "", 1.0}};
     BodyDescription unit;
-    unit.id = unit.name = "unit";
+    unit.id = "unit";
+    unit.name = "unit";
     unit.geometry = StepGeometry{"unit", ""};
     unit.pose = Pose::translation({0.0, 2.0, 0.0});
     scenario.bodies.push_back(unit);
@@ -178,7 +181,7 @@ TEST_F(RenamedUnit, NamesWithASlashAreKept) {
   EXPECT_EQ(nodeOf("pump_main", product).names.product, "pump/main");
   EXPECT_EQ(nodeOf("pump_main.M3_6", product).names.product, "M3/6");
   EXPECT_EQ(parentOf("pump_main.M3_6", product), "pump_main");
-  EXPECT_THAT(bodiesMeant(product, "M3/6"), ElementsAre("pump_main.M3_6"));
+  EXPECT_THAT(textsOf(bodiesMeant(product, "M3/6")), ElementsAre("pump_main.M3_6"));
   EXPECT_EQ(bodiesMeant(product, "pump/main").size(), 2U);
   const auto read = parseScenario(writeScenario(scenario), "s.json");
   ASSERT_TRUE(read.ok()) << toString(read.error());

@@ -18,7 +18,7 @@ struct KnownScenario {
     scenario.bodies[1].id = "screws";
     for (const char* id : {"rail", "screws/one", "screws/two"}) {
       product.bodies.emplace_back();
-      product.bodies.back().id = id;
+      product.bodies.back().id = BodyId(id);
     }
   }
   SequenceDemands demands() const {

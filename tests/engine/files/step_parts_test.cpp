@@ -46,7 +46,7 @@ using test::worldBox;
 
 std::vector<std::string> idsOf(const LoadedScenario& loaded) {
   std::vector<std::string> ids;
-  for (const RigidBody& body : loaded.obstacles) ids.push_back(body.id);
+  for (const RigidBody& body : loaded.obstacles) ids.push_back(body.id.text());
   return ids;
 }
 
@@ -118,9 +118,7 @@ TEST(StepParts, EarlierScenariosAndPlansFindTheirSolids) {
   EXPECT_THAT(idsOf(loadedFrom(earlier)), ElementsAre("frame/solid", "frame/solid#2", "frame#2"));
   const auto planned = readProduct(kFrames, {}, 0.0, {{}, {"frame/solid", "frame/solid#2", "frame#2", "pad"}});
   ASSERT_TRUE(planned) << toString(planned.error());
-  std::vector<std::string> ids;
-  for (const RigidBody& body : planned->product.bodies) ids.push_back(body.id);
-  EXPECT_THAT(ids, ElementsAre("frame/solid", "frame/solid#2", "frame#2", "pad"));
+  EXPECT_THAT(textsOf(idsOf(planned->product.bodies)), ElementsAre("frame/solid", "frame/solid#2", "frame#2", "pad"));
 }
 
 /// Earlier versions named both bodies "stud".
@@ -137,7 +135,7 @@ TEST(StepParts, EarlierScenariosAndPlansFindTheBodiesOfMappedProducts) {
   EXPECT_TRUE(worldBox(loaded, "stud#2").center().isApprox(Vector3(0, 0.2, 0.008), 1e-3));
   const auto planned = readProduct(file, {}, 0.0, {{}, {"plate", "stud", "stud#2"}});
   ASSERT_TRUE(planned) << toString(planned.error());
-  EXPECT_TRUE(planned->product.indexOf("stud#2"));
+  EXPECT_TRUE(planned->product.find("stud#2"));
 }
 
 TEST(StepParts, AFileOfOnePartOfSeveralSolidsSaysHowToOpenIt) {

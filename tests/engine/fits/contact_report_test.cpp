@@ -7,6 +7,7 @@
 
 #include "engine/geometry/primitives.h"
 #include "engine/import/step_import.h"
+#include "engine/model/body_path.h"
 #include "tests/engine/fits/ring.h"
 #include "tests/engine/support/random_pose.h"
 #include "tests/engine/support/step_files.h"
@@ -17,7 +18,7 @@ namespace {
 constexpr double kRoom = 0.5;  ///< half width of the space for bodies, metres
 
 ContactBody body(const char* id, const TriangleMesh& mesh, const Pose& X_WB) {
-  return {id, std::make_shared<const TriangleMesh>(mesh), X_WB};
+  return {BodyId(id), std::make_shared<const TriangleMesh>(mesh), X_WB};
 }
 
 /// A shaft in a ring's hole, both turned about their axis at random, at a random pose.
@@ -152,7 +153,8 @@ std::vector<ContactBody> stepBodies(const std::string& name) {
   EXPECT_TRUE(product);
   std::vector<ContactBody> bodies;
   if (!product) return bodies;
-  for (const Occurrence& part : product->parts) bodies.push_back({part.path, part.mesh, part.X_FP, part.deflection});
+  for (const Occurrence& part : product->parts)
+    bodies.push_back({BodyId(part.path), part.mesh, part.X_FP, part.deflection});
   return bodies;
 }
 
@@ -161,7 +163,7 @@ Contact contactWith(const std::string& name, const std::vector<ContactBody>& bod
   std::vector<Contact> found;
   for (const Contact& contact : report.contacts) {
     for (const std::size_t i : {contact.a, contact.b}) {
-      if (bodies[i].id.substr(bodies[i].id.rfind('/') + 1) == name) found.push_back(contact);
+      if (lastStepOf(bodies[i].id.text()) == name) found.push_back(contact);
     }
   }
   EXPECT_EQ(found.size(), 1U) << name;
@@ -204,7 +206,7 @@ TEST(ContactReport, KnowsTheFitsOfAStepProduct) {
   const std::vector<ContactBody> bodies = stepBodies("fits.step");
   std::map<std::string, std::string> kinds;
   for (const Contact& contact : findContacts(bodies).contacts) {
-    const auto nameOf = [&](std::size_t i) { return bodies[i].id.substr(bodies[i].id.rfind('/') + 1); };
+    const auto nameOf = [&](std::size_t i) { return lastStepOf(bodies[i].id.text()); };
     const auto [low, high] = std::minmax({nameOf(contact.a), nameOf(contact.b)});
     kinds[low + " " + high] = kContactKindNames.of(contact.kind);
   }

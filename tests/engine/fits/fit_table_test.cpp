@@ -153,7 +153,8 @@ TEST(FitTable, OfAStepProduct) {
   AssembledProduct product;
   for (const Occurrence& part : read->parts) {
     RigidBody body;
-    body.id = body.name = part.path;
+    body.id = BodyId(part.path);
+    body.name = part.path;
     body.mesh = part.mesh;
     body.X_WB = part.X_FP;
     product.bodies.push_back(std::move(body));

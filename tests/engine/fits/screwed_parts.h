@@ -13,7 +13,8 @@ inline constexpr double kCoarsePitch = 0.0015;  ///< pitch of M10
 
 inline RigidBody partAt(const std::string& id, TriangleMesh mesh, const Pose& X_WB) {
   RigidBody body;
-  body.id = body.name = id;
+  body.id = BodyId(id);
+  body.name = id;
   body.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
   body.X_WB = X_WB;
   return body;

@@ -134,7 +134,8 @@ class ProductOfParts {
 
   ProductOfParts& add(const std::string& id, TriangleMesh mesh, const Pose& X_FB = {}) {
     RigidBody body;
-    body.id = body.name = id;
+    body.id = BodyId(id);
+    body.name = id;
     body.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
     body.X_WB = X_WF_ * X_FB;
     product_.bodies.push_back(std::move(body));
@@ -145,7 +146,7 @@ class ProductOfParts {
   AssembledProduct product() const {
     AssembledProduct product = product_;
     std::vector<ProductBody> bodies;
-    for (const RigidBody& body : product.bodies) bodies.push_back({body.id, {body.id}});
+    for (const RigidBody& body : product.bodies) bodies.push_back({body.id, {body.name}});
     product.tree = Product(bodies);
     return product;
   }

@@ -5,7 +5,7 @@
 namespace glissade {
 namespace {
 
-const std::vector<std::string> kIds{"pump/rotor/nut", "pump/rotor/shaft", "pump/nut", "plate"};
+const std::vector<BodyId> kIds{"pump/rotor/nut", "pump/rotor/shaft", "pump/nut", "plate"};
 
 TEST(BodyChoice, ANameMeansABodyOrAnAssembly) {
   EXPECT_EQ(*bodiesMeant(kIds, {"plate"}, "--without"), (std::vector<bool>{false, false, false, true}));

@@ -15,7 +15,7 @@ namespace {
 /// A product with bodies of these paths, which are also their ids.
 Product productOfPaths(const std::vector<std::string>& paths) {
   std::vector<ProductBody> bodies;
-  for (const std::string& path : paths) bodies.push_back({path, {path}});
+  for (const std::string& path : paths) bodies.push_back({BodyId(path), {path}});
   return Product(bodies);
 }
 
@@ -39,6 +39,7 @@ std::string parentOf(const Product& product, const std::string& id) {
 }
 
 using Ids = std::vector<std::string>;
+using Bodies = std::vector<BodyId>;
 
 TEST(Product, HasAssembliesAboveTheirBodies) {
   const Product product = productOfPaths({"pump/cover/screw", "plate", "pump/cover/screw#2", "pump/housing"});
@@ -46,9 +47,9 @@ TEST(Product, HasAssembliesAboveTheirBodies) {
             (Ids{"pump", "pump/cover", "pump/cover/screw", "plate", "pump/cover/screw#2", "pump/housing"}));
   EXPECT_FALSE(product.nodes()[0].parent || product.nodes()[3].parent) << "at the top";
   EXPECT_EQ(product.nodes()[1].names.product, "cover");
-  EXPECT_EQ(product.bodiesBelow(0), (Ids{"pump/cover/screw", "pump/cover/screw#2", "pump/housing"}));
-  EXPECT_EQ(product.bodiesBelow(1), (Ids{"pump/cover/screw", "pump/cover/screw#2"}));
-  EXPECT_EQ(product.bodiesBelow(3), (Ids{"plate"}));
+  EXPECT_EQ(product.bodiesBelow(0), (Bodies{"pump/cover/screw", "pump/cover/screw#2", "pump/housing"}));
+  EXPECT_EQ(product.bodiesBelow(1), (Bodies{"pump/cover/screw", "pump/cover/screw#2"}));
+  EXPECT_EQ(product.bodiesBelow(3), (Bodies{"plate"}));
 }
 
 TEST(Product, ANameMeansNodesByTheirEnds) {
@@ -85,7 +86,7 @@ Product boardOf(const std::vector<NodeNames>& uses) {
   std::vector<ProductBody> bodies;
   for (const NodeNames& use : uses) {
     const std::string number = bodies.empty() ? "" : "#" + std::to_string(bodies.size() + 1);
-    bodies.push_back({"board/C" + number, {"board/C" + number, {{"board"}, use}}});
+    bodies.push_back({BodyId("board/C" + number), {"board/C" + number, {{"board"}, use}}});
   }
   return Product(bodies);
 }
@@ -154,10 +155,10 @@ TEST(Product, BodiesHaveIdsOfTheirOwnAndPartsBelowThem) {
   EXPECT_EQ(idsOf(product), (Ids{"rod", "rod.nut", "stand", "stand/bar", "stand/foot", "stand/foot/pad", "one"}));
   EXPECT_TRUE(product.nodes()[0].isAssembly);
   EXPECT_FALSE(product.nodes()[2].isAssembly) << "a body, of several rigid bodies";
-  EXPECT_EQ(product.bodiesBelow(2), (Ids{"stand/bar", "stand/foot/pad"}));
-  EXPECT_EQ(product.bodiesBelow(6), (Ids{"one"}));
-  EXPECT_EQ(bodiesMeant(product, "rod"), (Ids{"rod.nut"}));
-  EXPECT_EQ(bodiesMeant(product, "nut"), (Ids{"rod.nut"}));
+  EXPECT_EQ(product.bodiesBelow(2), (Bodies{"stand/bar", "stand/foot/pad"}));
+  EXPECT_EQ(product.bodiesBelow(6), (Bodies{"one"}));
+  EXPECT_EQ(bodiesMeant(product, "rod"), (Bodies{"rod.nut"}));
+  EXPECT_EQ(bodiesMeant(product, "nut"), (Bodies{"rod.nut"}));
 }
 
 TEST(Product, AnAssemblyThatIsCalledAsABodyHasAnotherId) {
@@ -177,7 +178,7 @@ TEST(Product, WhatIsSaidGoesBeforePaths) {
   EXPECT_EQ(parentOf(product, "b"), "unit");
   EXPECT_EQ(product.nodes()[*product.find("unit")].names.product, "Unit");
   EXPECT_EQ(parentOf(product, "d"), "a");
-  EXPECT_EQ(product.bodiesBelow(*product.find("a")), (Ids{"a.nut", "d"}));
+  EXPECT_EQ(product.bodiesBelow(*product.find("a")), (Bodies{"a.nut", "d"}));
 }
 
 TEST(Product, AssembliesThatHoldEachOtherEnd) {
@@ -222,12 +223,12 @@ TEST(Product, BodiesOfANodeAreThoseWithinItsPath) {
     }
     const Product product = productOfPaths(paths);
     for (std::size_t node = 0; node < product.nodes().size(); ++node) {
-      std::set<std::string> within;
+      std::set<BodyId> within;
       for (const std::string& path : paths) {
-        if (isWithin(path, product.nodes()[node].path)) within.insert(path);
+        if (isWithin(path, product.nodes()[node].path)) within.insert(BodyId(path));
       }
-      const Ids below = product.bodiesBelow(node);
-      EXPECT_EQ(std::set<std::string>(below.begin(), below.end()), within) << product.nodes()[node].path;
+      const Bodies below = product.bodiesBelow(node);
+      EXPECT_EQ(std::set<BodyId>(below.begin(), below.end()), within) << product.nodes()[node].path;
       for (const std::size_t child : product.nodes()[node].children) {
         EXPECT_EQ(product.nodes()[child].parent, node);
       }
@@ -242,7 +243,7 @@ TEST(Product, LargeAndDeepTreesAreQuick) {
   std::vector<ProductBody> bodies;
   for (int i = 0; i < 10'000; ++i) {
     const std::string path = joinedPath(above, i == 0 ? "pin" : "pin#" + std::to_string(i + 1));
-    bodies.push_back({path, {path}});
+    bodies.push_back({BodyId(path), {path}});
   }
   const auto begin = std::chrono::steady_clock::now();
   const Product product(bodies);

@@ -7,7 +7,8 @@ namespace {
 
 RigidBody labelled(const std::string& id, const std::string& label) {
   RigidBody body;
-  body.id = body.name = id;
+  body.id = BodyId(id);
+  body.name = id;
   body.label = label;
   return body;
 }

@@ -25,8 +25,8 @@ TEST(AssembledProduct, FramesAreInTheMiddleAndMeshesStayShared) {
 TEST(AssembledProduct, TheLargestIsByItsBox) {
   const AssembledProduct product = test::lockedDrawer();
   EXPECT_EQ(product.bodies[largestBody(product)].id, "cabinet");
-  EXPECT_EQ(product.indexOf("pin"), 2U);
-  EXPECT_FALSE(product.indexOf("key"));
+  EXPECT_EQ(product.find("pin"), 2U);
+  EXPECT_FALSE(product.find("key"));
 }
 
 }  // namespace

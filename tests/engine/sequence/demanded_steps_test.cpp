@@ -21,7 +21,7 @@ AssemblyPlan planOfSteps(const Names& order) {
   AssemblyPlan plan;
   for (const std::string& id : order) {
     AssemblyStep step;
-    step.body = id;
+    step.body = BodyId(id);
     step.path = {{Pose::identity(), Author::Computer}, {Pose::translation({0.0, 0.0, 1.0}), Author::Computer}};
     step.method = "straight";
     plan.steps.push_back(step);
@@ -142,12 +142,12 @@ AssembledProduct looseBoxes() {
 }
 
 /// Plans without joints, because the tests are about demands.
-AssemblyPlan planned(const AssembledProduct& product, const std::string& staying, SequenceDemands demands,
+AssemblyPlan planned(const AssembledProduct& product, const BodyId& staying, SequenceDemands demands,
                      const std::string& strategy = "greedy", const AssemblyPlan* known = nullptr) {
   const ProductFits fits = test::fitsOf(product);
   test::QuietHost host;
   BodySet stay(product.bodies.size(), false);
-  stay[*product.indexOf(staying)] = true;
+  stay[product.indexOf(staying)] = true;
   demands.jointUse = JointUse::Off;
   auto plan = planSequence(product, fits, {stay, strategy, 1, demands, nullptr, known}, host);
   EXPECT_TRUE(plan.ok()) << toString(plan.error());
@@ -160,7 +160,7 @@ TEST(DemandedSteps, StepsComeAtTheirPlaces) {
     demands.places = {{{"three"}, 1}, {{"one"}, 3}};
     const AssembledProduct product = looseBoxes();
     const AssemblyPlan plan = planned(product, "base", demands, strategy);
-    EXPECT_EQ(test::orderOf(plan), (Names{"three", "two", "one"})) << strategy;
+    EXPECT_EQ(test::orderOf(plan), (std::vector<BodyId>{"three", "two", "one"})) << strategy;
     EXPECT_EQ(plan.end, PlanEnd::Complete);
     const check::PlanVerdict judged = judgePlan(plan, product, std::nullopt);
     for (const check::StepVerdict& each : judged.steps) EXPECT_TRUE(each.valid()) << toString(each.againstDemand);
@@ -176,7 +176,7 @@ TEST(DemandedSteps, AForcedStepSaysWhatItDoesNotKeepAndTheJudgeDemandsThatItDoes
   ASSERT_EQ(test::orderOf(plan).front(), "three");
   ASSERT_EQ(plan.steps[0].violates.size(), 1U);
   EXPECT_EQ(plan.steps[0].violates[0].rule, StepViolation::Rule::Before);
-  EXPECT_EQ(plan.steps[0].violates[0].bodies, Names{"one"});
+  EXPECT_EQ(plan.steps[0].violates[0].bodies, std::vector<BodyId>{"one"});
   EXPECT_TRUE(judgePlan(plan, product, std::nullopt).steps[0].valid());
   plan.steps[0].violates.clear();
   const check::PlanVerdict judged = judgePlan(plan, product, std::nullopt);
@@ -188,7 +188,7 @@ TEST(DemandedSteps, WhatCannotBeProvedAtItsPlaceIsStuckWithItsBlockers) {
   SequenceDemands demands;
   demands.places = {{{"pin"}, 1}};
   const AssemblyPlan plan = planned(test::lockedDrawer(), "cabinet", demands);
-  EXPECT_EQ(test::orderOf(plan), Names{"cap"}) << "nothing is forced, and nothing leaves through the pin";
+  EXPECT_EQ(test::orderOf(plan), std::vector<BodyId>{"cap"}) << "nothing is forced, and nothing leaves through the pin";
   EXPECT_EQ(plan.end, PlanEnd::Stuck);
   ASSERT_EQ(plan.stuck.size(), 2U);
   const auto& pin = plan.stuck[0].body == "pin" ? plan.stuck[0] : plan.stuck[1];
@@ -201,7 +201,7 @@ TEST(DemandedSteps, APlaceBehindTheEndComesEarlyAndSaysSo) {
   SequenceDemands demands;
   demands.places = {{{"cap"}, 3}};
   const AssemblyPlan plan = planned(test::lockedDrawer(), "cabinet", demands);
-  ASSERT_EQ(test::orderOf(plan), (Names{"cap", "pin", "drawer"}));
+  ASSERT_EQ(test::orderOf(plan), (std::vector<BodyId>{"cap", "pin", "drawer"}));
   ASSERT_EQ(plan.steps[0].violates.size(), 1U);
   EXPECT_EQ(plan.steps[0].violates[0].rule, StepViolation::Rule::Place);
 }
@@ -219,7 +219,7 @@ TEST(DemandedSteps, NothingLeavesInAForbiddenDirection) {
     EXPECT_LT(way.x(), tolerance::kForbiddenCone);
   }
   AssemblyPlan wrong = planned(product, "base", {});
-  wrong.demands.forbidden = {{wrong.steps[0].body, exitDirection(wrong.steps[0].path)}};
+  wrong.demands.forbidden = {{wrong.steps[0].body.text(), exitDirection(wrong.steps[0].path)}};
   EXPECT_FALSE(judgePlan(wrong, product, std::nullopt).steps[0].valid());
 }
 
@@ -282,7 +282,7 @@ TEST(DemandedSteps, AMotionUpwardsAndThenAsideIsRefused) {
 
 TEST(DemandedSteps, AMotionOfAPersonIsTheOnlyOne) {
   const AssembledProduct product = looseBoxes();
-  const RigidBody& two = product.bodies[*product.indexOf("two")];
+  const RigidBody& two = product.bodies[product.indexOf("two")];
   Pose aside = two.X_WB;
   aside.position += Vector3(0.0, 3.0, 0.0);
   SequenceDemands demands;
@@ -300,7 +300,7 @@ TEST(DemandedSteps, AMotionOfAPersonIsTheOnlyOne) {
   demands.places = {{{"two"}, 1}};
   const AssemblyPlan blocked = planned(product, "base", demands);
   ASSERT_EQ(blocked.stuck.size(), 1U) << "there is a free motion, but not this one";
-  EXPECT_EQ(blocked.stuck[0].blockedBy, Names{"three"});
+  EXPECT_EQ(blocked.stuck[0].blockedBy, std::vector<BodyId>{"three"});
 }
 
 /// Refuses every removal, but certifies every motion.

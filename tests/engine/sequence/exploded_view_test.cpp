@@ -76,9 +76,9 @@ void expectNoMoreOverlapThanAtRest(const AssembledProduct& product, const Explod
 TEST(ExplodedView, BodiesThatLeaveAreApartAndTheOthersStay) {
   const AssembledProduct product = test::lockedDrawer();
   const auto moved = ExplodedView(product, test::planOf(product, "cabinet")).at(1.0);
-  EXPECT_EQ(moved[*product.indexOf("cabinet")], Pose::identity());
+  EXPECT_EQ(moved[product.indexOf("cabinet")], Pose::identity());
   expectApart(product, moved, BodySet(product.bodies.size(), true));
-  EXPECT_GT(moved[*product.indexOf("cap")].position.z(), moved[*product.indexOf("pin")].position.z())
+  EXPECT_GT(moved[product.indexOf("cap")].position.z(), moved[product.indexOf("pin")].position.z())
       << "the cap is above its pin";
 }
 
@@ -97,8 +97,8 @@ TEST(ExplodedView, OneStepMovesAtATimeAndTheLastShareHasAll) {
   const AssembledProduct product = test::lockedDrawer();
   const AssemblyPlan plan = test::planOf(product, "cabinet");
   const ExplodedView view(product, plan);
-  const std::size_t first = *product.indexOf(plan.steps.front().body);
-  const std::size_t last = *product.indexOf(plan.steps.back().body);
+  const std::size_t first = product.indexOf(plan.steps.front().body);
+  const std::size_t last = product.indexOf(plan.steps.back().body);
   const auto early = view.at(0.3);
   EXPECT_GT(early[first].position.norm(), 0.0);
   EXPECT_EQ(early[last], Pose::identity());
@@ -121,7 +121,7 @@ TEST(ExplodedView, BoxesInAnyOrderAndDirectionComeApart) {
       if (round % 2 == 0) direction = Vector3::Unit(i % 3);
       const Pose& start = product.bodies[static_cast<std::size_t>(i)].X_WB;
       AssemblyStep step;
-      step.body = std::to_string(i);
+      step.body = BodyId(std::to_string(i));
       step.path = {{start, Author::Computer},
                    {{start.position + 5.0 * direction.normalized(), start.orientation}, Author::Computer}};
       plan.steps.push_back(step);
@@ -139,7 +139,7 @@ std::pair<AssembledProduct, AssemblyPlan> blocksThatLeave(int count, bool turns)
   auto& [product, plan] = made;
   for (int i = 0; i < count; ++i) {
     RigidBody body;
-    body.id = "block" + std::to_string(i);
+    body.id = BodyId("block" + std::to_string(i));
     body.mesh = mesh;
     body.X_WB = Pose::translation({0.011 * (i % 20), 0.011 * std::floor(i / 20.0), 0.0});
     product.bodies.push_back(body);

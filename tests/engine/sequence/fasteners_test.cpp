@@ -124,7 +124,7 @@ TEST(Fasteners, ACountersunkScrewIsOneByItsCone) {
   std::vector<ContactBody> asBodies;
   for (const Occurrence& part : file->parts) {
     bodies.push_back(placed(part.path, *part.mesh, part.X_FP));
-    asBodies.push_back({part.path, part.mesh, part.X_FP, part.deflection});
+    asBodies.push_back({BodyId(part.path), part.mesh, part.X_FP, part.deflection});
   }
   const AssembledProduct product = test::productOf(std::move(bodies), true);
   const auto kinds = fastenersOf(ProductShapes(product), findContacts(asBodies).contacts);

@@ -124,9 +124,9 @@ TEST(GreedyStrategy, TakesOutWhateverCanLeaveAndNamesWhatIsInTheWay) {
     EXPECT_EQ(plan.end, left.empty() ? PlanEnd::Complete : PlanEnd::Stuck);
     ASSERT_EQ(plan.stuck.size(), left.size());
     for (const StuckBody& stuck : plan.stuck) {
-      std::vector<std::string> blocking;
-      for (const std::size_t other : rules[*product.indexOf(stuck.body)].blockedBy) {
-        if (left.count(other) != 0) blocking.push_back(std::to_string(other));
+      std::vector<BodyId> blocking;
+      for (const std::size_t other : rules[product.indexOf(stuck.body)].blockedBy) {
+        if (left.count(other) != 0) blocking.emplace_back(std::to_string(other));
       }
       EXPECT_EQ(stuck.blockedBy.size(), blocking.size());
       EXPECT_TRUE(std::is_permutation(blocking.begin(), blocking.end(), stuck.blockedBy.begin()));
@@ -163,9 +163,9 @@ TEST(GreedyStrategy, NamesTheStepsThatHaveToBeCarriedOutBefore) {
     RuledTrial trial(rules);
     const AssemblyPlan plan = planned(product, trial);
     for (std::size_t step = 0; step < plan.steps.size(); ++step) {
-      const auto& blockedBy = rules[*product.indexOf(plan.steps[step].body)].blockedBy;
+      const auto& blockedBy = rules[product.indexOf(plan.steps[step].body)].blockedBy;
       for (std::size_t other = 0; other < step; ++other) {
-        const bool needed = blockedBy.count(*product.indexOf(plan.steps[other].body)) != 0;
+        const bool needed = blockedBy.count(product.indexOf(plan.steps[other].body)) != 0;
         const auto& after = plan.steps[step].after;
         EXPECT_EQ(std::count(after.begin(), after.end(), other + 1), needed ? 1 : 0);
       }
@@ -181,20 +181,20 @@ TEST(GreedyStrategy, KeepsTheOrderThatAPersonDemandsAndSaysSoWhereItIsInTheWay) 
   const BodySet staying{true, false, false, false};
   const AssemblyPlan kept =
       GreedyStrategy().plan({product, staying, 1, free, nullptr, {{}, {{3, 1, true}, {1, 2, true}}}}, host);
-  EXPECT_EQ(test::orderOf(kept), (std::vector<std::string>{"3", "1", "2"}));
+  EXPECT_EQ(test::orderOf(kept), (std::vector<BodyId>{"3", "1", "2"}));
   EXPECT_EQ(kept.steps[1].after, std::vector<std::size_t>{1});
   rules[3].blockedBy = {0};
   RuledTrial blocked(rules);
   const AssemblyPlan stuck = GreedyStrategy().plan({product, staying, 1, blocked, nullptr, {{}, {{3, 1, true}}}}, host);
-  EXPECT_EQ(test::orderOf(stuck), std::vector<std::string>{"2"});
+  EXPECT_EQ(test::orderOf(stuck), std::vector<BodyId>{"2"});
   ASSERT_EQ(stuck.stuck.size(), 2U);
   EXPECT_EQ(stuck.stuck[0].body, "1");
-  EXPECT_EQ(stuck.stuck[0].blockedBy, std::vector<std::string>{"3"});
+  EXPECT_EQ(stuck.stuck[0].blockedBy, std::vector<BodyId>{"3"});
   EXPECT_NE(toString(stuck.stuck[0].reason).find("constraint"), std::string::npos);
   // A rule that is known but not demanded is dropped if no other body can leave.
   RuledTrial known(rules);
   const AssemblyPlan given = GreedyStrategy().plan({product, staying, 1, known, nullptr, {{}, {{3, 1, false}}}}, host);
-  EXPECT_EQ(test::orderOf(given), (std::vector<std::string>{"2", "1"}));
+  EXPECT_EQ(test::orderOf(given), (std::vector<BodyId>{"2", "1"}));
 }
 
 TEST(GreedyStrategy, FragileBodiesLeaveFirst) {
@@ -203,7 +203,7 @@ TEST(GreedyStrategy, FragileBodiesLeaveFirst) {
   test::QuietHost host;
   SequenceQuestion question{product, {true, false, false, false}, 1, trial};
   question.fragile = {false, false, true, false};
-  EXPECT_EQ(test::orderOf(GreedyStrategy().plan(question, host)), (std::vector<std::string>{"2", "1", "3"}));
+  EXPECT_EQ(test::orderOf(GreedyStrategy().plan(question, host)), (std::vector<BodyId>{"2", "1", "3"}));
 }
 
 TEST(GreedyStrategy, StopsWithThePlanSoFar) {

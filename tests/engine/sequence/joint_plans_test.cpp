@@ -60,11 +60,11 @@ Joint jointOf(JointKind kind, std::size_t body, std::vector<std::size_t> others)
   return joint;
 }
 
-AssemblyPlan planOf(const AssembledProduct& product, const Joints& joints, const std::string& staying,
+AssemblyPlan planOf(const AssembledProduct& product, const Joints& joints, const BodyId& staying,
                     JointUse use = JointUse::Recognised) {
   test::QuietHost host;
   SequenceRequest request{BodySet(product.bodies.size(), false)};
-  request.staying[*product.indexOf(staying)] = true;
+  request.staying[product.indexOf(staying)] = true;
   request.demands.jointUse = use;
   request.joints = &joints;
   auto plan = planSequence(product, test::fitsOf(product), request, host);
@@ -200,12 +200,12 @@ TEST(TurnedAlong, NoEdgeTurnsByHalfACircleAndAFrameOffTheAxisHasMoreOfThem) {
 TEST(JointPlan, AScrewTurnsOutBeforeWhatItClamps) {
   const AssembledProduct product = screwedCover();
   const AssemblyPlan plan = planOf(product, {screwIn(2, {0}, {1})}, "base");
-  ASSERT_EQ(test::orderOf(plan), (std::vector<std::string>{"screw", "cover"}));
+  ASSERT_EQ(test::orderOf(plan), (std::vector<BodyId>{"screw", "cover"}));
   const AssemblyStep& step = plan.steps.front();
   EXPECT_EQ(step.method, kTurned);
   ASSERT_EQ(step.joints.size(), 1U);
   EXPECT_NEAR(step.joints.front().turns, kEngaged / kPitch, 1e-9);
-  EXPECT_EQ(step.joints.front().clamped, std::vector<std::string>{"cover"});
+  EXPECT_EQ(step.joints.front().clamped, std::vector<BodyId>{"cover"});
   EXPECT_NEAR(turnsOf(step.path), kEngaged / kPitch, 1e-9);
   EXPECT_EQ(plan.steps.back().after, std::vector<std::size_t>{1});
   EXPECT_TRUE(judgePlan(plan, product, std::nullopt, {}).valid()) << "the independent check proves the turn";
@@ -215,7 +215,7 @@ TEST(JointPlan, EitherOfTwoBodiesThatAreScrewedTogetherTurnsOffTheOther) {
   const AssembledProduct product = screwedCover();
   Joint thread = jointOf(JointKind::Thread, 2, {0});
   thread.thread = JointThread{0.005, kPitch, false, kEngaged, kEngaged};
-  for (const char* staying : {"base", "screw"}) {
+  for (const BodyId& staying : std::vector<BodyId>{"base", "screw"}) {
     const AssemblyPlan plan = planOf(product, {thread}, staying);
     ASSERT_EQ(plan.steps.size(), 2U) << staying;
     for (const AssemblyStep& step : plan.steps) {
@@ -255,9 +255,9 @@ TEST(JointPlan, AClusterThatNothingJoinsToTheBaseLeavesAsOneAndIsTakenApart) {
   product.deflections.push_back(0.0);
   const AssemblyPlan plan = planOf(product, {screwIn(2, {0}, {1})}, "rail");
   ASSERT_EQ(plan.steps.size(), 1U);
-  EXPECT_EQ(plan.steps.front().bodies(), (std::vector<std::string>{"base", "cover", "screw"}));
+  EXPECT_EQ(plan.steps.front().bodies(), (std::vector<BodyId>{"base", "cover", "screw"}));
   ASSERT_EQ(plan.lines.size(), 1U);
-  EXPECT_EQ(plan.lines.front().staying, std::vector<std::string>{"base"});
+  EXPECT_EQ(plan.lines.front().staying, std::vector<BodyId>{"base"});
   EXPECT_EQ(plan.lines.front().steps.size(), 2U);
   EXPECT_EQ(plan.lines.front().steps.front().body, "screw");
 }
@@ -281,7 +281,7 @@ TEST(JointPlan, TheToolBelongsToTheStepThatOpensTheJoint) {
   request.demands.before = {{"bolt", "nut"}};
   const auto plan = planSequence(product, test::fitsOf(product), request, host);
   ASSERT_TRUE(plan.ok());
-  ASSERT_EQ(test::orderOf(*plan), (std::vector<std::string>{"bolt", "nut"}));
+  ASSERT_EQ(test::orderOf(*plan), (std::vector<BodyId>{"bolt", "nut"}));
   EXPECT_EQ(plan->steps[0].tool.kind, ToolKind::HexKey);
   EXPECT_EQ(plan->steps[1].tool.kind, ToolKind::None) << "the nut is loose";
 }
@@ -307,23 +307,23 @@ TEST(JointPlan, WhatIsInTheWayOfATurnIsNamedAndNothingIsPulled) {
   ASSERT_TRUE(plan.ok());
   EXPECT_TRUE(plan->steps.empty());
   ASSERT_EQ(plan->stuck.size(), 2U);
-  const auto stuck = [&](const std::string& id) {
+  const auto stuck = [&](const BodyId& id) {
     return *std::find_if(plan->stuck.begin(), plan->stuck.end(),
                          [&](const StuckBody& each) { return each.body == id; });
   };
-  EXPECT_EQ(stuck("screw").blockedBy, std::vector<std::string>{"wall"});
+  EXPECT_EQ(stuck("screw").blockedBy, std::vector<BodyId>{"wall"});
   EXPECT_EQ(toString(stuck("cover").reason), "held by 1 screw of 5 mm: remove these first");
-  EXPECT_EQ(stuck("cover").blockedBy, std::vector<std::string>{"screw"});
+  EXPECT_EQ(stuck("cover").blockedBy, std::vector<BodyId>{"screw"});
 }
 
 TEST(JointPlan, AnInsertLeavesWithItsHostAndIsCounted) {
   AssembledProduct product = screwedCover();
   const AssemblyPlan plan = planOf(product, {jointOf(JointKind::Insert, 2, {1})}, "base");
   ASSERT_EQ(plan.steps.size(), 1U);
-  EXPECT_EQ(plan.steps.front().bodies(), (std::vector<std::string>{"cover", "screw"}));
+  EXPECT_EQ(plan.steps.front().bodies(), (std::vector<BodyId>{"cover", "screw"}));
   EXPECT_EQ(plan.removed(), 2U);
   const AssemblyPlan pressedIntoTheBase = planOf(product, {jointOf(JointKind::Insert, 2, {0})}, "base");
-  EXPECT_EQ(pressedIntoTheBase.staying, (std::vector<std::string>{"base", "screw"}));
+  EXPECT_EQ(pressedIntoTheBase.staying, (std::vector<BodyId>{"base", "screw"}));
   EXPECT_EQ(pressedIntoTheBase.parts(), 1U);
 }
 
@@ -333,7 +333,7 @@ TEST(JointPlan, AFlexibleBodyLeavesWithoutAProofBeforeWhatItGoesAround) {
   const AssemblyPlan held = planOf(product, {}, "block");
   EXPECT_TRUE(held.end == PlanEnd::Stuck || held.steps.size() == 1U) << "the links hold each other";
   const AssemblyPlan plan = planOf(product, {belt}, "block");
-  ASSERT_EQ(test::orderOf(plan), (std::vector<std::string>{"one", "other"}));
+  ASSERT_EQ(test::orderOf(plan), (std::vector<BodyId>{"one", "other"}));
   EXPECT_FALSE(plan.steps.front().certified);
   EXPECT_EQ(plan.steps.front().method, kFlexible);
   EXPECT_TRUE(plan.steps.back().certified) << "nothing else loses its proof";

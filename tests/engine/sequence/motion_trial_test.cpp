@@ -11,7 +11,7 @@
 namespace glissade {
 namespace {
 
-std::size_t bodyNamed(const AssembledProduct& product, const std::string& id) { return *product.indexOf(id); }
+std::size_t bodyNamed(const AssembledProduct& product, const BodyId& id) { return product.indexOf(id); }
 
 TEST(MotionTrial, ADrawerLeavesWhenItsPinHas) {
   const AssembledProduct product = test::lockedDrawer();
@@ -165,8 +165,8 @@ TEST(MotionTrial, AGroupLeavesWhereNoneOfItsBodiesDoes) {
   const AssemblyPlan plan = test::planOf(product, "tray");
   EXPECT_EQ(plan.end, PlanEnd::Complete);
   ASSERT_EQ(plan.steps.size(), 2U);
-  EXPECT_EQ(plan.steps[0].bodies(), std::vector<std::string>{"lamp"});
-  EXPECT_EQ(plan.steps[1].bodies(), (std::vector<std::string>{"slot", "tongue"}));
+  EXPECT_EQ(plan.steps[0].bodies(), std::vector<BodyId>{"lamp"});
+  EXPECT_EQ(plan.steps[1].bodies(), (std::vector<BodyId>{"slot", "tongue"}));
   EXPECT_EQ(plan.removed(), 3U);
   EXPECT_GT(plan.steps[1].path.back().q.position.z(), plan.steps[1].path.front().q.position.z() + 0.5);
   const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt);
@@ -188,7 +188,7 @@ TEST(MotionTrial, WhatAPersonWantsTogetherLeavesAsOne) {
   const AssemblyPlan plan = makeSequenceStrategyRegistry().find("greedy")->make()->plan(
       {product, staying, 1, trial, nullptr, {{both}, {}}}, host);
   ASSERT_EQ(plan.steps.size(), 2U);
-  EXPECT_EQ(plan.steps[0].bodies(), (std::vector<std::string>{"pin", "cap"}));
+  EXPECT_EQ(plan.steps[0].bodies(), (std::vector<BodyId>{"pin", "cap"}));
   EXPECT_EQ(plan.steps[1].body, "drawer");
   EXPECT_EQ(plan.steps[1].after, std::vector<std::size_t>{1});
 }

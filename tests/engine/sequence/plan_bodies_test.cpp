@@ -10,7 +10,7 @@ namespace {
 /// The product as in a scenario: with other ids, and the first body last.
 AssembledProduct renamed(AssembledProduct product) {
   std::rotate(product.bodies.begin(), product.bodies.begin() + 1, product.bodies.end());
-  for (RigidBody& body : product.bodies) body.id = "part." + body.name;
+  for (RigidBody& body : product.bodies) body.id = BodyId("part." + body.name);
   return product;
 }
 
@@ -27,18 +27,18 @@ TEST(PlanBodies, APlanOfTheFileIsAboutTheScenarioThatWasMadeOfIt) {
   const AssembledProduct ours = renamed(product);
   const auto about = planAbout(ours, plan);
   ASSERT_TRUE(about);
-  EXPECT_EQ(test::orderOf(*about), (std::vector<std::string>{"part.cap", "part.pin", "part.drawer"}));
-  EXPECT_EQ(about->staying, std::vector<std::string>{"part.cabinet"});
-  EXPECT_EQ(about->stuck[0].blockedBy, std::vector<std::string>{"part.pin"});
-  EXPECT_EQ(about->steps[0].falling, std::vector<std::string>{"part.pin"});
-  EXPECT_EQ(about->steps[0].tool.blockedBy, std::vector<std::string>{"part.drawer"});
+  EXPECT_EQ(test::orderOf(*about), (std::vector<BodyId>{"part.cap", "part.pin", "part.drawer"}));
+  EXPECT_EQ(about->staying, std::vector<BodyId>{"part.cabinet"});
+  EXPECT_EQ(about->stuck[0].blockedBy, std::vector<BodyId>{"part.pin"});
+  EXPECT_EQ(about->steps[0].falling, std::vector<BodyId>{"part.pin"});
+  EXPECT_EQ(about->steps[0].tool.blockedBy, std::vector<BodyId>{"part.drawer"});
   EXPECT_EQ(about->waiting[0].body, "part.pin");
   EXPECT_EQ(about->demands.before[0], (std::pair<std::string, std::string>{"part.cap", "end-of-an-id"}));
   EXPECT_EQ(about->demands.masses[0].first, "part.pin");
   EXPECT_EQ(about->demands.attributes.count("part.pin"), 1U);
   for (std::size_t i = 0; i < ours.bodies.size(); ++i) EXPECT_EQ(about->bodies[i], ours.bodies[i].id);
   for (const AssemblyStep& step : about->steps) {
-    EXPECT_TRUE(step.proof.nearest.empty() || ours.indexOf(step.proof.nearest));
+    EXPECT_TRUE(step.proof.nearest.empty() || ours.find(step.proof.nearest));
   }
 }
 
@@ -47,7 +47,7 @@ TEST(PlanBodies, APlanOfAnotherProductIsNotTaken) {
   EXPECT_FALSE(planAbout(test::chain(), plan));
   AssembledProduct two = test::lockedDrawer();
   for (RigidBody& body : two.bodies) {
-    body.id += ".x";
+    body.id = BodyId(body.id.text() + ".x");
     body.name = "same";
   }
   EXPECT_FALSE(planAbout(two, plan)) << "names that do not tell bodies apart";
@@ -58,7 +58,7 @@ TEST(PlanBodies, AllBodiesOfAGroupLeave) {
   AssemblyStep step;
   step.body = "pin";
   step.with = {"cap"};
-  EXPECT_EQ(bodiesOf(step, product), (std::vector<std::size_t>{*product.indexOf("pin"), *product.indexOf("cap")}));
+  EXPECT_EQ(bodiesOf(step, product), (std::vector<std::size_t>{product.indexOf("pin"), product.indexOf("cap")}));
 }
 
 /// A step states allowances for all orders. The nut and the washer have left before the bolt.
@@ -68,7 +68,7 @@ TEST(PlanBodies, AllowancesInOrderLeaveOutBodiesThatHaveLeft) {
   steps[0].with = {"washer"};
   steps[1].body = "bolt";
   for (const char* other : {"nut", "plate", "washer"}) {
-    for (AssemblyStep& step : steps) step.allowances.push_back({other});
+    for (AssemblyStep& step : steps) step.allowances.push_back({BodyId(other)});
   }
   EXPECT_EQ(allowancesInOrder(steps, 0).size(), 3U);
   const std::vector<Allowance> there = allowancesInOrder(steps, 1);

@@ -22,11 +22,11 @@ TEST(PlanPlayback, BeginsAssembledAndEndsWithAllBodiesAtTheEndsOfTheirPaths) {
   }
   const auto end = playback.at(3.0);
   for (const AssemblyStep& step : plan.steps) {
-    const std::size_t body = *product.indexOf(step.body);
+    const std::size_t body = product.indexOf(step.body);
     EXPECT_TRUE(end[body].left);
     EXPECT_LT(distance(end[body].moved * step.path.front().q, step.path.back().q), 1e-9);
   }
-  EXPECT_FALSE(end[*product.indexOf("cabinet")].left);
+  EXPECT_FALSE(end[product.indexOf("cabinet")].left);
 }
 
 TEST(PlanPlayback, OneStepIsUnderWayAtATime) {
@@ -53,9 +53,9 @@ TEST(PlanPlayback, AGroupMovesAsOne) {
   plan.steps[1].with = {plan.steps[0].body};
   plan.steps.erase(plan.steps.begin());
   const auto bodies = PlanPlayback(product, plan).at(0.4);
-  const Pose& pin = bodies[*product.indexOf("pin")].moved;
+  const Pose& pin = bodies[product.indexOf("pin")].moved;
   EXPECT_GT(pin.position.norm(), 0.1);
-  EXPECT_LT(distance(pin, bodies[*product.indexOf("cap")].moved), 1e-12);
+  EXPECT_LT(distance(pin, bodies[product.indexOf("cap")].moved), 1e-12);
 }
 
 }  // namespace

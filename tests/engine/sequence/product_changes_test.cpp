@@ -9,8 +9,8 @@ namespace glissade {
 namespace {
 
 /// A copy of the product in which one body has another mesh or pose.
-AssembledProduct with(AssembledProduct product, const std::string& id, const RigidBody& body) {
-  RigidBody& changed = product.bodies[*product.indexOf(id)];
+AssembledProduct with(AssembledProduct product, const BodyId& id, const RigidBody& body) {
+  RigidBody& changed = product.bodies[product.indexOf(id)];
   changed.mesh = body.mesh;
   changed.X_WB = body.X_WB;
   return product;
@@ -39,7 +39,8 @@ TEST(ProductChanges, EachKindIsFound) {
   EXPECT_NEAR(ofLonger.changed[0].reshaped, 0.02, 1e-9);
 
   AssembledProduct renamed = before;
-  renamed.bodies[2].id = renamed.bodies[2].name = "bolt";
+  renamed.bodies[2].id = "bolt";
+  renamed.bodies[2].name = "bolt";
   const ProductChanges ofRenamed = changesBetween(before, renamed);
   EXPECT_TRUE(ofRenamed.came.empty() && ofRenamed.went.empty());
   EXPECT_EQ(ofRenamed.renamed, (std::vector<std::pair<std::size_t, std::size_t>>{{2, 2}}));
@@ -66,7 +67,7 @@ TEST(CarriedPlan, StepsThatStillHoldAreJudgedValid) {
   EXPECT_EQ(carried.from, (std::vector<std::size_t>{0, 1, 2}));
   const check::PlanVerdict verdict = judgePlan(carried.plan, now, std::nullopt);
   // The cap and the pin leave upwards, through the roof; the drawer leaves sideways, farther than the roof reaches.
-  ASSERT_EQ(test::orderOf(plan), (std::vector<std::string>{"cap", "pin", "drawer"}));
+  ASSERT_EQ(test::orderOf(plan), (std::vector<BodyId>{"cap", "pin", "drawer"}));
   EXPECT_FALSE(verdict.steps[0].valid());
   EXPECT_FALSE(verdict.steps[1].valid());
   EXPECT_TRUE(verdict.steps[2].valid());
@@ -81,7 +82,7 @@ TEST(CarriedPlan, StepsOfBodiesThatWentAreLeftOut) {
   AssembledProduct now = before;
   now.bodies.pop_back();
   const CarriedPlan carried = carriedTo(now, plan);
-  EXPECT_EQ(test::orderOf(carried.plan), (std::vector<std::string>{"pin", "drawer"}));
+  EXPECT_EQ(test::orderOf(carried.plan), (std::vector<BodyId>{"pin", "drawer"}));
   EXPECT_EQ(carried.from, (std::vector<std::size_t>{1, 2}));
   EXPECT_EQ(carried.plan.steps[1].after, std::vector<std::size_t>{1});
   EXPECT_TRUE(carried.plan.steps[1].falling.empty());

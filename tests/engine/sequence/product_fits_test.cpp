@@ -55,7 +55,7 @@ TEST(ProductFits, ThinAgainstTheirOwnAndHaveTheAxis) {
 TEST(ProductFits, APlanWithFitsIsJudgedValidAndStatesThem) {
   const AssembledProduct product = boltAndNut();
   const AssemblyPlan plan = test::planOf(product, "bolt");
-  ASSERT_EQ(test::orderOf(plan), (std::vector<std::string>{"nut", "washer"}));
+  ASSERT_EQ(test::orderOf(plan), (std::vector<BodyId>{"nut", "washer"}));
   EXPECT_EQ(plan.steps[0].allowances.size(), 2U);
   EXPECT_EQ(plan.steps[1].allowances.size(), 1U);
   const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt);
@@ -81,7 +81,7 @@ TEST(ProductFits, WhereABodyHasNoPlaceForAnAllowanceTheOtherOneIsTakenThinner) {
   EXPECT_EQ(fits.obstacleFor(1, 0), product.bodies[0].mesh);
   EXPECT_TRUE(fits.warnings().empty());
   const AssemblyPlan plan = test::planOf(product, "bolt");
-  ASSERT_EQ(test::orderOf(plan), std::vector<std::string>{"nut"});
+  ASSERT_EQ(test::orderOf(plan), std::vector<BodyId>{"nut"});
   ASSERT_EQ(plan.steps[0].allowances.size(), 1U);
   EXPECT_FALSE(plan.steps[0].allowances[0].yields);
   const check::StepVerdict step = judgePlan(plan, product, std::nullopt).steps[0];

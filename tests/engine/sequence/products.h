@@ -109,18 +109,18 @@ inline ProductFits fitsOf(const AssembledProduct& product) {
 }
 
 /// The plan by a registered strategy; `staying`: id of the body that stays.
-inline AssemblyPlan planOf(const AssembledProduct& product, const std::string& staying, std::size_t threads = 1,
+inline AssemblyPlan planOf(const AssembledProduct& product, const BodyId& staying, std::size_t threads = 1,
                            const std::string& strategy = "greedy", const AssemblyPlan* resumed = nullptr) {
   const ProductFits fits = fitsOf(product);
   MotionTrial trial(product, fits, 1, 1);
   QuietHost host(threads);
   BodySet stay(product.bodies.size(), false);
-  stay[*product.indexOf(staying)] = true;
+  stay[product.indexOf(staying)] = true;
   return makeSequenceStrategyRegistry().find(strategy)->make()->plan({product, stay, 1, trial, resumed}, host);
 }
 
-inline std::vector<std::string> orderOf(const AssemblyPlan& plan) {
-  std::vector<std::string> order;
+inline std::vector<BodyId> orderOf(const AssemblyPlan& plan) {
+  std::vector<BodyId> order;
   for (const AssemblyStep& step : plan.steps) order.push_back(step.body);
   return order;
 }

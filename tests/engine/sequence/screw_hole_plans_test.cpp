@@ -59,7 +59,7 @@ AssemblyPlan planOf(const AssembledProduct& product) {
 TEST(ScrewHolePlan, AScrewWithANameTurnsOutOfASolidBodyAndTheJudgeAgrees) {
   const AssembledProduct product = cappedMotor("DIN 912 M4x10");
   const AssemblyPlan plan = planOf(product);
-  ASSERT_EQ(orderOf(plan), (std::vector<std::string>{"DIN 912 M4x10", "cap"}));
+  ASSERT_EQ(orderOf(plan), (std::vector<BodyId>{"DIN 912 M4x10", "cap"}));
   EXPECT_EQ(plan.steps[0].method, kTurned);
   const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt, {});
   EXPECT_TRUE(verdict.valid());
@@ -122,7 +122,7 @@ bool formsThread(const AssembledProduct& product) {
 TEST(ScrewHolePlan, AScrewFormsItsThreadInTheRibsOfASlot) {
   const AssembledProduct product = cappedProfile("black screw");
   AssemblyPlan plan = planOf(product);
-  ASSERT_EQ(orderOf(plan), (std::vector<std::string>{"black screw", "cap"}));
+  ASSERT_EQ(orderOf(plan), (std::vector<BodyId>{"black screw", "cap"}));
   EXPECT_EQ(plan.steps[0].method, kTurned);
   EXPECT_TRUE(formsThread(product));
   const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt, {});

@@ -12,7 +12,7 @@ TEST(SearchedRemoval, HasAsMuchWorkAsItIsGiven) {
   const ProductFits fits = test::fitsOf(product);
   MotionWorlds worlds(product, fits);
   const SearchedRemoval searched(product, fits, worlds, 1);
-  const BodyGroup cap{*product.indexOf("cap")};
+  const BodyGroup cap{product.indexOf("cap")};
   const BodySet all(product.bodies.size(), true);
   EXPECT_TRUE(std::holds_alternative<Refused>(searched.tryRemoval(cap, all, 1, {})));
   const RemovalAnswer answer = searched.tryRemoval(cap, all, 2'000'000, {});
@@ -27,7 +27,7 @@ TEST(SearchedRemoval, EndsWhereThereIsNoWay) {
   MotionWorlds worlds(product, fits);
   const SearchedRemoval searched(product, fits, worlds, 1);
   const RemovalAnswer answer =
-      searched.tryRemoval({*product.indexOf("drawer")}, BodySet(product.bodies.size(), true), 200'000, {});
+      searched.tryRemoval({product.indexOf("drawer")}, BodySet(product.bodies.size(), true), 200'000, {});
   ASSERT_TRUE(std::holds_alternative<Refused>(answer));
   EXPECT_FALSE(std::get<Refused>(answer).stopped);
 }

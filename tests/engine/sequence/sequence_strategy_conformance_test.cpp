@@ -17,8 +17,8 @@ TEST_P(SequenceStrategies, TakesADrawerApartInItsOnlyOrder) {
   const AssemblyPlan plan = test::planOf(test::lockedDrawer(), "cabinet", 1, GetParam());
   EXPECT_EQ(plan.strategy, GetParam());
   EXPECT_EQ(plan.end, PlanEnd::Complete);
-  EXPECT_EQ(test::orderOf(plan), (std::vector<std::string>{"cap", "pin", "drawer"}));
-  EXPECT_EQ(plan.staying, std::vector<std::string>{"cabinet"});
+  EXPECT_EQ(test::orderOf(plan), (std::vector<BodyId>{"cap", "pin", "drawer"}));
+  EXPECT_EQ(plan.staying, std::vector<BodyId>{"cabinet"});
 }
 
 TEST_P(SequenceStrategies, EveryStepIsCertifiedForWhatIsThere) {
@@ -36,14 +36,15 @@ TEST_P(SequenceStrategies, EveryStepIsCertifiedForWhatIsThere) {
 TEST_P(SequenceStrategies, RefusesInterlockedBodiesWithTheRightBlocker) {
   const AssemblyPlan plan = test::planOf(test::chain(), "one", 1, GetParam());
   EXPECT_EQ(plan.end, PlanEnd::Stuck);
-  EXPECT_EQ(test::orderOf(plan), std::vector<std::string>{"block"});
+  EXPECT_EQ(test::orderOf(plan), std::vector<BodyId>{"block"});
   ASSERT_EQ(plan.stuck.size(), 1U);
   EXPECT_EQ(plan.stuck[0].body, "other");
-  EXPECT_EQ(plan.stuck[0].blockedBy, std::vector<std::string>{"one"});
+  EXPECT_EQ(plan.stuck[0].blockedBy, std::vector<BodyId>{"one"});
 }
 
 TEST_P(SequenceStrategies, ThreadsDoNotChangeThePlan) {
-  for (const auto& [product, staying] : {std::pair{test::lockedDrawer(), "cabinet"}, std::pair{test::chain(), "one"}}) {
+  for (const auto& [product, staying] :
+       {std::pair{test::lockedDrawer(), BodyId("cabinet")}, std::pair{test::chain(), BodyId("one")}}) {
     const AssemblyPlan one = test::planOf(product, staying, 1, GetParam());
     const AssemblyPlan two = test::planOf(product, staying, 2, GetParam());
     ASSERT_EQ(test::orderOf(one), test::orderOf(two));

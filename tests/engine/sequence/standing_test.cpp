@@ -64,7 +64,7 @@ TEST(Standing, StepsAfterWhichBodiesFallAreAvoidedOrMarked) {
   const AssemblyPlan forced = greedy->plan(question, host);
   ASSERT_EQ(forced.steps.size(), 4U);
   EXPECT_EQ(forced.steps[0].body, "right");
-  EXPECT_EQ(forced.steps[0].falling, std::vector<std::string>{"beam"});
+  EXPECT_EQ(forced.steps[0].falling, std::vector<BodyId>{"beam"});
 }
 
 /// The search is interrupted after each wave: waiting motions are not searched again, and the plan is the same.
@@ -120,9 +120,9 @@ TEST(Standing, APlanThatIsInterruptedWhileBodiesAreAskedIsTheBeginningOfTheWhole
     question.standing = &beam.standing;
     return makeSequenceStrategyRegistry().find("greedy")->make()->plan(question, host);
   };
-  const std::vector<std::string> whole = test::orderOf(planned(1000));
+  const std::vector<BodyId> whole = test::orderOf(planned(1000));
   for (std::size_t asked = 0; asked < 8; ++asked) {
-    const std::vector<std::string> begun = test::orderOf(planned(asked));
+    const std::vector<BodyId> begun = test::orderOf(planned(asked));
     ASSERT_LE(begun.size(), whole.size());
     EXPECT_TRUE(std::equal(begun.begin(), begun.end(), whole.begin())) << asked;
   }

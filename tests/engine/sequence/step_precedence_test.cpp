@@ -19,8 +19,8 @@ AssembledProduct neighbours() {
                          true);
 }
 
-std::vector<std::string> allowedAgainst(const AssemblyStep& step) {
-  std::vector<std::string> bodies;
+std::vector<BodyId> allowedAgainst(const AssemblyStep& step) {
+  std::vector<BodyId> bodies;
   for (const Allowance& each : step.allowances) bodies.push_back(each.body);
   std::sort(bodies.begin(), bodies.end());
   bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
@@ -34,8 +34,8 @@ AssemblyPlan planWith(const AssembledProduct& product, const OrderRules& rules) 
   const SequenceQuestion question{product, {true, false, false}, 1, trial, nullptr, rules};
   test::QuietHost host;
   AssemblyPlan plan;
-  for (const char* id : {"one", "two"}) {
-    const BodyGroup group{*product.indexOf(id)};
+  for (const BodyId& id : std::vector<BodyId>{"one", "two"}) {
+    const BodyGroup group{product.indexOf(id)};
     const RemovalAnswer answer = trial.tryRemoval(group, question.initial(), 0, {});
     plan.steps.push_back(makeStep(group, std::get<Removed>(answer), question, question.initial(), plan.steps.size()));
     plan.steps.back().wave = plan.steps.size();
@@ -44,16 +44,16 @@ AssemblyPlan planWith(const AssembledProduct& product, const OrderRules& rules) 
   return plan;
 }
 
-using Names = std::vector<std::string>;
+using Bodies = std::vector<BodyId>;
 
 TEST(StepPrecedence, NothingIsAllowedAgainstWhatHasLeftInAnyOrder) {
   const AssembledProduct product = neighbours();
   OrderRules rules;
-  rules.before.push_back({*product.indexOf("one"), *product.indexOf("two")});
+  rules.before.push_back({product.indexOf("one"), product.indexOf("two")});
   const AssemblyPlan plan = planWith(product, rules);
   EXPECT_EQ(plan.steps[1].after, std::vector<std::size_t>{1});
-  EXPECT_EQ(allowedAgainst(plan.steps[0]), (Names{"base", "two"}));
-  EXPECT_EQ(allowedAgainst(plan.steps[1]), Names{"base"});
+  EXPECT_EQ(allowedAgainst(plan.steps[0]), (Bodies{"base", "two"}));
+  EXPECT_EQ(allowedAgainst(plan.steps[1]), Bodies{"base"});
   const check::PlanVerdict judged = judgePlan(plan, product, std::nullopt);
   EXPECT_TRUE(judged.steps[1].valid()) << toString(judged.steps[1].againstDemand);
 }
@@ -61,7 +61,7 @@ TEST(StepPrecedence, NothingIsAllowedAgainstWhatHasLeftInAnyOrder) {
 TEST(StepPrecedence, WhatMayLeaveLaterIsAllowedFor) {
   const AssemblyPlan plan = planWith(neighbours(), {});
   EXPECT_TRUE(plan.steps[1].after.empty());
-  EXPECT_EQ(allowedAgainst(plan.steps[1]), (Names{"base", "one"}));
+  EXPECT_EQ(allowedAgainst(plan.steps[1]), (Bodies{"base", "one"}));
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ AssemblyPlan planWith(const AssembledProduct& product, const SequenceDemands& de
   return std::move(*plan);
 }
 
-const AssemblyStep& stepOf(const AssemblyPlan& plan, const std::string& body) {
+const AssemblyStep& stepOf(const AssemblyPlan& plan, const BodyId& body) {
   return *std::find_if(plan.steps.begin(), plan.steps.end(), [&](const auto& step) { return step.body == body; });
 }
 
@@ -52,7 +52,7 @@ TEST(StepTools, AHandleIsBlockedWhileATubeIsAboutTheHead) {
   const StepTool& tool = stepOf(blocked, "screw").tool;
   EXPECT_EQ(tool.kind, ToolKind::HexKey) << "the head is as high as a socket head";
   EXPECT_EQ(tool.access, ToolAccess::Blocked);
-  EXPECT_EQ(tool.blockedBy, std::vector<std::string>{"tube"});
+  EXPECT_EQ(tool.blockedBy, std::vector<BodyId>{"tube"});
   SequenceDemands tubeFirst;
   tubeFirst.before = {{"tube", "screw"}};
   const AssemblyPlan open = planWith(product, tubeFirst);

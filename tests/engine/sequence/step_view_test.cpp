@@ -7,8 +7,8 @@
 namespace glissade {
 namespace {
 
-AssemblyStep stepAlong(const AssembledProduct& product, const std::string& body, const Vector3& direction) {
-  const Pose& start = product.bodies[*product.indexOf(body)].X_WB;
+AssemblyStep stepAlong(const AssembledProduct& product, const BodyId& body, const Vector3& direction) {
+  const Pose& start = product.bodies[product.indexOf(body)].X_WB;
   AssemblyStep step;
   step.body = body;
   step.path = {{start, Author::Computer}, {{start.position + direction, start.orientation}, Author::Computer}};

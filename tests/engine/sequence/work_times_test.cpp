@@ -7,14 +7,14 @@
 namespace glissade {
 namespace {
 
-RigidBody cube(const std::string& id, double edge) {
+RigidBody cube(const BodyId& id, double edge) {
   RigidBody body;
   body.id = id;
   body.mesh = std::make_shared<const TriangleMesh>(makeBox(Vector3::Constant(edge)));
   return body;
 }
 
-AssemblyStep stepOf(const std::string& body) {
+AssemblyStep stepOf(const BodyId& body) {
   AssemblyStep step;
   step.body = body;
   step.path.resize(2);

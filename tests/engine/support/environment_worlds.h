@@ -15,7 +15,8 @@ inline std::vector<RigidBody> randomBodies(RandomStream& stream, int count) {
   std::vector<RigidBody> bodies;
   for (int i = 0; i < count; ++i) {
     RigidBody body;
-    body.id = body.name = "body " + std::to_string(i);
+    body.name = "body " + std::to_string(i);
+    body.id = BodyId(body.name);
     body.mobility = i % 2 == 0 ? Mobility::Static : Mobility::Mobile;
     TriangleMesh mesh;
     if (i % 3 == 0) {

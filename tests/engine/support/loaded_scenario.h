@@ -27,9 +27,9 @@ inline LoadedScenario loadedSample(const std::string& name) {
 
 /// The bounding box of a body in world coordinates; fails the test where there is no such body.
 inline Box3 worldBox(const LoadedScenario& loaded, const std::string& id) {
-  if (loaded.object.id == id) return boundingBox(*loaded.object.mesh, loaded.problem.start);
+  if (loaded.object.id.text() == id) return boundingBox(*loaded.object.mesh, loaded.problem.start);
   for (const RigidBody& body : loaded.obstacles) {
-    if (body.id == id) return boundingBox(*body.mesh, body.X_WB);
+    if (body.id.text() == id) return boundingBox(*body.mesh, body.X_WB);
   }
   ADD_FAILURE() << "no body " << id;
   return {};

@@ -11,7 +11,7 @@ namespace glissade {
 
 inline RigidBody boxBody(const std::string& name, const Vector3& size, const Pose& X_WB) {
   RigidBody body;
-  body.id = name;
+  body.id = BodyId(name);
   body.name = name;
   body.mesh = std::make_shared<const TriangleMesh>(makeBox(size));
   body.X_WB = X_WB;

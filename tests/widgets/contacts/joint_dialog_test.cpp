@@ -101,11 +101,11 @@ TEST(JointDraft, AWordHasNothingThatItsKindHasNoUseFor) {
   const JointEdit screw = editForJoint(joint, *product);
   EXPECT_TRUE(screw.made->thread->isPitchStated);
   EXPECT_EQ(screw.made->bend, 0.0);
-  EXPECT_EQ(screw.clamped, std::vector<std::string>{"plate"});
+  EXPECT_EQ(screw.clamped, std::vector<BodyId>{"plate"});
   joint.kind = JointKind::Permanent;
   const JointEdit permanent = editForJoint(joint, *product);
   EXPECT_FALSE(permanent.made->thread);
-  EXPECT_EQ(permanent.key.others, (std::vector<std::string>{"block", "plate"}));
+  EXPECT_EQ(permanent.key.others, (std::vector<BodyId>{"block", "plate"}));
   EXPECT_TRUE(permanent.clamped.empty());
 }
 

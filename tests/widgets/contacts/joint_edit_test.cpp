@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kBodies = 100;
 
-BodyDescription boxAt(const std::string& id, const Vector3& size, const Vector3& at) {
+BodyDescription boxAt(const BodyId& id, const Vector3& size, const Vector3& at) {
   BodyDescription body{id};
   body.geometry = BoxGeometry{size};
   body.pose = Pose::translation(at);

@@ -58,11 +58,11 @@ inline std::shared_ptr<const JointTable> screwedTable(std::vector<JointEdit> sai
 }
 
 /// The row of this body; the test fails if there is none.
-inline const JointRow& rowOf(const JointTable& table, const std::string& body) {
+inline const JointRow& rowOf(const JointTable& table, const BodyId& body) {
   for (const JointRow& row : table.rows()) {
     if (row.key.body == body) return row;
   }
-  throw std::runtime_error("no row of " + body);
+  throw std::runtime_error("no row of " + body.text());
 }
 
 }  // namespace glissade::test

@@ -12,7 +12,7 @@ using test::rowOf;
 using test::screwedTable;
 using Word = JointEdit::Word;
 
-JointEdit said(const JointTable& table, const std::string& body, Word word) { return {rowOf(table, body).key, word}; }
+JointEdit said(const JointTable& table, const BodyId& body, Word word) { return {rowOf(table, body).key, word}; }
 
 TEST(JointTable, HasWhatIsFoundAndWhoSaysSo) {
   const auto table = screwedTable();

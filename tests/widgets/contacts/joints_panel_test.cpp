@@ -31,7 +31,7 @@ class JointsPanelTest : public ::testing::Test {
   }
   void saySomething(JointKind kind, const char* body, JointEdit::Word word) {
     const JointTable& present = *panel.table();
-    const JointKey key = test::rowOf(present, body).key;
+    const JointKey key = test::rowOf(present, BodyId(body)).key;
     ASSERT_EQ(key.kind, kind);
     panel.setTable(std::make_shared<const JointTable>(present.with({{key, word}})));
   }

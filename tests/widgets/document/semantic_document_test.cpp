@@ -61,8 +61,8 @@ TEST_F(SemanticDocumentTest, APlaceThatAnotherModelLacksIsNoLongerSelected) {
 TEST_F(SemanticDocumentTest, AnAssemblysAttributesAreThoseOfItsBodies) {
   LoadedScenario loaded = *scenario;
   ASSERT_GE(loaded.obstacles.size(), 2U);
-  const QString one = QString::fromStdString(loaded.obstacles[0].id);
-  const QString two = QString::fromStdString(loaded.obstacles[1].id);
+  const QString one = QString::fromStdString(loaded.obstacles[0].id.text());
+  const QString two = QString::fromStdString(loaded.obstacles[1].id.text());
   loaded.product = Product({{one.toStdString(), {"unit/a"}}, {two.toStdString(), {"unit/b"}}});
   document.open(loaded);
   SemanticSelection unit;

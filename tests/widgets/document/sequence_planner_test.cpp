@@ -24,7 +24,7 @@ class SequencePlannerTest : public ::testing::Test {
     SequenceJob job;
     job.product = std::make_shared<const AssembledProduct>(test::lockedDrawer());
     job.staying = BodySet(job.product->bodies.size(), false);
-    job.staying[*job.product->indexOf("cabinet")] = true;
+    job.staying[job.product->indexOf("cabinet")] = true;
     return job;
   }
 
@@ -48,7 +48,7 @@ TEST_F(SequencePlannerTest, StepsAreAnnouncedWhileTheyAreFoundOnAWorkerAndAtOnce
   planner.plan(drawer(), true);
   ASSERT_EQ(planned.size(), 1U);
   const PlanPtr atOnce = planned[0].plan;
-  EXPECT_EQ(test::orderOf(*atOnce), (std::vector<std::string>{"cap", "pin", "drawer"}));
+  EXPECT_EQ(test::orderOf(*atOnce), (std::vector<BodyId>{"cap", "pin", "drawer"}));
   EXPECT_EQ(planned[0].foundAfter.size(), 3U);
   EXPECT_GE(grown.size(), 3U) << "three waves";
   planner.plan(drawer(), false);

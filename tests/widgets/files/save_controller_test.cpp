@@ -204,7 +204,7 @@ TEST(SaveControllerOfADocument, WritesThePersonsScenarioWhileTheScenarioIsATempo
   const std::string file = folder.write("a.json", writeScenario(test::boxScenario()));
   WorkbenchDocument document;
   document.open(std::make_shared<const LoadedScenario>(std::move(openScenarioFile(file)->scenario)));
-  const std::string body = document.current().bodies.front().id;
+  const BodyId body = document.current().bodies.front().id;
   SaveHost host;
   host.scenario = [&] { return document.scenario(); };
   host.isModified = [&] { return document.isModified(); };

@@ -250,7 +250,7 @@ TEST_F(OpenXrHeadsetTest, WherePicturesAreLateTheSceneIsSimplerUntilThereIsTime)
   const auto ball = std::make_shared<const TriangleMesh>(makeSphere(2.0, 5));
   for (int i = 0; i < 4; ++i) {
     RigidBody body = many.obstacles.front();
-    body.id = "ball-" + std::to_string(i);
+    body.id = BodyId("ball-" + std::to_string(i));
     body.mesh = ball;
     const int row = i / 2;
     body.X_WB = Pose::translation({5.0 * (i % 2), 0.0, 5.0 * row});
@@ -284,7 +284,7 @@ class ManyBodiesInHeadsetTest : public OpenXrHeadsetTest {
     const auto box = std::make_shared<const TriangleMesh>(makeBox({0.3, 0.3, 0.3}));
     for (int i = 0; i < kSide * kSide; ++i) {
       RigidBody body = many.obstacles.front();
-      body.id = "box-" + std::to_string(i);
+      body.id = BodyId("box-" + std::to_string(i));
       body.mesh = box;
       const int row = i / kSide;
       body.X_WB = Pose::translation({0.5 * (i % kSide) - 2.0, -3.0, 0.4 * row});

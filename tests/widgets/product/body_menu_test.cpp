@@ -46,7 +46,7 @@ class BodyMenuTest : public test::WholeWindowTest {
 };
 
 TEST_P(BodyMenuTest, ABodyIsRenamedInTheListAndTheNameCanBeUndone) {
-  const std::string id = document().scenario()->obstacles.front().id;
+  const std::string id = document().scenario()->obstacles.front().id.text();
   ASSERT_NE(rowOf(id), nullptr);
   const QString before = rowOf(id)->text(0);
   rowOf(id)->setText(0, QStringLiteral("Support"));

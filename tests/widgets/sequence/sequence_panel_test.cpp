@@ -21,7 +21,7 @@ class SequencePanelTest : public ::testing::Test {
     plan->staying = {"cabinet"};
     for (const char* id : {"cap", "pin"}) {
       AssemblyStep step;
-      step.body = id;
+      step.body = BodyId(id);
       step.path = {{Pose::identity(), Author::Computer}, {Pose::translation({0.0, 0.0, 1.0}), Author::Computer}};
       plan->steps.push_back(step);
     }
@@ -37,8 +37,8 @@ class SequencePanelTest : public ::testing::Test {
     QStringList names;
     for (int i = 0; i < table().topLevelItemCount(); ++i) {
       const QTreeWidgetItem* row = table().topLevelItem(i);
-      const std::string stuck = StepTable::stuckOf(row);
-      names << (stuck.empty() ? row->text(1).section(QLatin1Char('\n'), 0, 0) : QString::fromStdString(stuck));
+      const BodyId stuck = StepTable::stuckOf(row);
+      names << (stuck.empty() ? row->text(1).section(QLatin1Char('\n'), 0, 0) : QString::fromStdString(stuck.text()));
     }
     return names;
   }

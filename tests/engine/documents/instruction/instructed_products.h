@@ -6,7 +6,7 @@
 
 namespace glissade::test {
 
-inline AssemblyStep stepAlong(const std::string& body, const Vector3& way) {
+inline AssemblyStep stepAlong(const BodyId& body, const Vector3& way) {
   AssemblyStep step;
   step.body = body;
   step.path = {{Pose::identity(), Author::Computer}, {Pose::translation(way), Author::Computer}};

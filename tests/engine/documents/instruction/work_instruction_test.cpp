@@ -81,7 +81,7 @@ TEST(WorkInstruction, AGroupIsPutTogetherBeforeItIsPutOn) {
 /// The last block comes from below.
 TEST(WorkInstruction, APartThatFallsOutWhenTheProductIsTurnedOverIsNamed) {
   InstructedProduct made = test::blocksOnABase(3);
-  const auto block2 = *made.product.indexOf("block2");
+  const auto block2 = made.product.indexOf("block2");
   made.product.bodies[block2].X_WB = Pose::translation({0.2, 0.0, -0.125});
   made.plan.steps[0] = test::stepAlong("block2", -Vector3::UnitZ());
   const auto turned = [](const WorkInstruction& instruction) {
@@ -123,7 +123,7 @@ TEST(WorkInstruction, IsWhollyInFrench) {
 TEST(InstructionWords, ASentenceHasTheVerbOfTheJoint) {
   const DocumentWords english;
   AssemblyStep step = test::stepAlong("block", Vector3::UnitZ());
-  const auto sentence = [&](JointKind kind, const std::string& body) {
+  const auto sentence = [&](JointKind kind, const BodyId& body) {
     step.joints = {{kind, body, {}}};
     return workSentence(step, "x", english);
   };

@@ -35,7 +35,8 @@ inline TriangleMesh subdivided(const TriangleMesh& mesh, std::uint32_t n) {
 inline CollisionWorldPtr denseWorld() {
   const auto dense = std::make_shared<const TriangleMesh>(subdivided(*makeL(), 65));
   RigidBody standing;
-  standing.id = standing.name = "standing";
+  standing.id = "standing";
+  standing.name = "standing";
   standing.mesh = dense;
   return CollisionWorld::build({standing}, dense);
 }

@@ -17,7 +17,8 @@ namespace {
 /// A bolt at a random pose, and a nut on it or above it.
 struct NutOnBolt {
   explicit NutOnBolt(const nut_and_bolt::Shape& shape = {}, bool on = true, bool goalOut = true) {
-    bolt.id = bolt.name = "bolt";
+    bolt.id = "bolt";
+    bolt.name = "bolt";
     bolt.mesh = std::make_shared<const TriangleMesh>(nut_and_bolt::bolt(shape));
     bolt.X_WB.position = {0.02, -0.01, 0.03};
     bolt.X_WB.orientation = Quaternion(Eigen::AngleAxisd(0.8, Vector3(1.0, 2.0, 0.5).normalized()));
@@ -85,7 +86,8 @@ TEST(ModelledThreads, AreNotFoundWhereThereAreNone) {
   EXPECT_FALSE(hasScrewMotions(NutOnBolt({}, false, true).problem));
   // A peg in its hole, and a box on a box.
   RigidBody block;
-  block.id = block.name = "block";
+  block.id = "block";
+  block.name = "block";
   block.mesh = std::make_shared<const TriangleMesh>(makeBox(Vector3(0.1, 0.1, 0.1)));
   Problem problem;
   problem.world = CollisionWorld::build({block}, std::make_shared<const TriangleMesh>(makeCylinder(0.02, 0.1)));
@@ -115,7 +117,8 @@ TEST(ModelledThreads, ANutIsTurnedOffAndOn) {
 TEST(ModelledThreads, ABoltIsTurnedOutOfANut) {
   const nut_and_bolt::Shape shape;
   RigidBody nut;
-  nut.id = nut.name = "nut";
+  nut.id = "nut";
+  nut.name = "nut";
   nut.mesh = std::make_shared<const TriangleMesh>(nut_and_bolt::nut(shape));
   Problem problem;
   problem.world = CollisionWorld::build({nut}, std::make_shared<const TriangleMesh>(nut_and_bolt::bolt(shape)));

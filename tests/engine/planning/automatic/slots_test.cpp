@@ -22,7 +22,7 @@ Problem twoWindows() {
   Problem problem = windowProblem();
   std::vector<RigidBody> walls = problem.world->obstacles();
   for (RigidBody wall : problem.world->obstacles()) {
-    wall.id += " behind";
+    wall.id = BodyId(wall.id.text() + " behind");
     wall.X_WB.position += Vector3(0.9, 0.7, -0.7);
     walls.push_back(wall);
   }
