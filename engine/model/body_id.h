@@ -27,7 +27,7 @@ class BodyId {
   bool empty() const { return text_.empty(); }
 
   /// The order is that of the texts.
-  auto operator<=>(const BodyId&) const = default;
+  auto operator<=>(const BodyId&) const = default;  // NOLINT(modernize-use-nullptr): it takes a 0 of the compiler
   friend std::ostream& operator<<(std::ostream& stream, const BodyId& id) { return stream << id.text_; }
 
  private:

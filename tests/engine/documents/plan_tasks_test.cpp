@@ -9,7 +9,7 @@ std::vector<AssemblyStep> stepsOfTasks(const std::vector<std::size_t>& tasks) {
   std::vector<AssemblyStep> steps;
   for (const std::size_t task : tasks) {
     steps.emplace_back();
-    steps.back().body = "body" + std::to_string(steps.size());
+    steps.back().body = BodyId("body" + std::to_string(steps.size()));
     steps.back().task = task;
   }
   return steps;

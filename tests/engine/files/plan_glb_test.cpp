@@ -57,7 +57,7 @@ TEST(PlanGlb, StepsFollowOneAnotherAndEndWhereTheirPathsEnd) {
     ASSERT_EQ(tracks.size(), 3U);
     for (std::size_t i = 0; i < 3; ++i) {
       const AssemblyStep& step = plan.steps[order == PlanOrder::Assembly ? 2 - i : i];
-      EXPECT_EQ(tracks[i].node, step.body);
+      EXPECT_EQ(tracks[i].node, step.body.text());
       for (std::size_t k = 1; k < tracks[i].times.size(); ++k) {
         EXPECT_GT(tracks[i].times[k][0], tracks[i].times[k - 1][0]);
       }

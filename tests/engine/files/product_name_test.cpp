@@ -10,7 +10,7 @@ namespace {
 /// A scenario of these files; the first one moves.
 Scenario scenarioOf(const std::vector<std::string>& paths) {
   Scenario scenario;
-  scenario.object.first() = {paths[0], paths[0], Mobility::Static, BoxGeometry{}};
+  scenario.object.first() = {BodyId(paths[0]), paths[0], Mobility::Static, BoxGeometry{}};
   for (std::size_t i = 1; i < paths.size(); ++i) {
     scenario.bodies.push_back({BodyId(paths[i]), paths[i], Mobility::Static, BoxGeometry{}});
   }

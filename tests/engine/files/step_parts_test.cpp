@@ -314,7 +314,8 @@ TEST(StepParts, SolidsBesideASurfaceAreOneBodyForThePlanAndForTheJudge) {
   const auto made = chosenParts(solids, "file", {});
   ASSERT_TRUE(made.ok());
   EXPECT_THAT(pathsOf(*made), ElementsAre("unit/unit", "unit/skin"));
-  const auto judged = chosenParts(solids, "file", {{}, pathsOf(*made)});
+  const std::vector<std::string> ids = pathsOf(*made);
+  const auto judged = chosenParts(solids, "file", {{}, {ids.begin(), ids.end()}});
   ASSERT_TRUE(judged.ok());
   EXPECT_EQ(pathsOf(*judged), pathsOf(*made));
   const auto opened = chosenParts(solids, "file", {{}, {"unit/red", "unit/blue", "unit/skin"}});

@@ -32,7 +32,7 @@ inline InstructedProduct blocksOnABase(std::size_t blocks) {
   for (const RigidBody& body : made.product.bodies) made.plan.bodies.push_back(body.id);
   made.plan.staying = {"base"};
   for (std::size_t i = blocks; i > 0; --i) {
-    made.plan.steps.push_back(stepAlong("block" + std::to_string(i - 1), Vector3::UnitZ()));
+    made.plan.steps.push_back(stepAlong(BodyId("block" + std::to_string(i - 1)), Vector3::UnitZ()));
     made.plan.steps.back().allowances.push_back({"base", ContactKind::Planar, 4e-4, 4.1e-4, Message("text")});
   }
   return made;

@@ -16,7 +16,7 @@ TEST(WorkInstruction, EachStepIsInOnePanelWithItsNumberInThePlan) {
   InstructedProduct made = test::blocksOnABase(7);
   for (const std::size_t step : {1U, 2U, 3U}) made.plan.steps[step].task = 4;
   const WorkInstruction instruction = test::instructed(made);
-  std::map<std::string, int> seen;
+  std::map<BodyId, int> seen;
   std::vector<std::string> numbers;
   for (const InstructionPanel& panel : instruction.panels) {
     numbers.push_back(panel.number);
