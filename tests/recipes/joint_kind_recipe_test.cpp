@@ -114,16 +114,18 @@ JointEdit editOf(JointKind kind, JointEdit::Word word) {
   return edit;
 }
 
-using Words = std::tuple<std::vector<std::string>, std::vector<std::vector<std::string>>, std::set<std::string>,
-                         std::set<std::string>, std::vector<std::pair<std::string, std::string>>>;
+using Words = std::tuple<std::vector<BodyId>, std::vector<std::vector<BodyId>>, std::set<std::string>,
+                         std::set<std::string>, std::vector<std::pair<BodyId, BodyId>>>;
 
 /// The statements about joints that the judge reads, as sorted texts.
 Words toldWords(const check::JointWords& words, const std::vector<check::SnapWord>& snaps,
                 const check::PartingWords& partings) {
   std::set<std::string> pitches;
-  for (const auto& each : words.pitches) pitches.insert(each.a + " " + each.b + " " + std::to_string(each.pitch));
+  for (const auto& each : words.pitches)
+    pitches.insert(each.a.text() + " " + each.b.text() + " " + std::to_string(each.pitch));
   std::set<std::string> bends;
-  for (const auto& each : snaps) bends.insert(each.hook + " " + each.edge + " " + std::to_string(each.bend));
+  for (const auto& each : snaps)
+    bends.insert(each.hook.text() + " " + each.edge.text() + " " + std::to_string(each.bend));
   return {words.flexible, words.units, pitches, bends, partings.pairs};
 }
 

@@ -13,8 +13,8 @@ namespace {
 
 PairFit pairOf(const char* a, const char* b, ContactKind kind, double overlap, bool refused) {
   PairFit fit;
-  fit.a = a;
-  fit.b = b;
+  fit.a = BodyId(a);
+  fit.b = BodyId(b);
   fit.shown = {a, b};
   fit.contact.kind = kind;
   fit.contact.overlap = overlap;

@@ -226,7 +226,7 @@ TEST(SaveControllerOfADocument, WritesThePersonsScenarioWhileTheScenarioIsATempo
       },
       20'000));
   const std::string text = test::readWhole(folder / ("data/" + written.front().toStdString()));
-  EXPECT_NE(text.find('"' + body + '"'), std::string::npos) << text;
+  EXPECT_NE(text.find('"' + body.text() + '"'), std::string::npos) << text;
 }
 
 }  // namespace
