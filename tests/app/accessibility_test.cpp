@@ -235,7 +235,7 @@ Scenario scenarioWithNames(const std::string& tail) {
   for (const double side : {-1.0, 1.0}) {
     BodyDescription block;
     block.id = side < 0.0 ? BodyId("left") : BodyId("right");
-    block.name = block.id + tail;
+    block.name = block.id.text() + tail;
     block.geometry = BoxGeometry{{0.2, 1.0, 1.0}};
     block.pose.position.x() = side * 0.3;
     scenario.bodies.push_back(block);

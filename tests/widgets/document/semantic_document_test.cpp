@@ -63,7 +63,7 @@ TEST_F(SemanticDocumentTest, AnAssemblysAttributesAreThoseOfItsBodies) {
   ASSERT_GE(loaded.obstacles.size(), 2U);
   const QString one = QString::fromStdString(loaded.obstacles[0].id.text());
   const QString two = QString::fromStdString(loaded.obstacles[1].id.text());
-  loaded.product = Product({{one.toStdString(), {"unit/a"}}, {two.toStdString(), {"unit/b"}}});
+  loaded.product = Product({{loaded.obstacles[0].id, {"unit/a"}}, {loaded.obstacles[1].id, {"unit/b"}}});
   document.open(loaded);
   SemanticSelection unit;
   unit.bodies.insert(QStringLiteral("unit"));
