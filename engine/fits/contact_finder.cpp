@@ -343,8 +343,8 @@ PreparedBody::PreparedBody(TriangleMesh mesh_W, SurfaceRegions regions_W, double
 }
 
 const SolidDepth* PreparedBody::depth() const {
-  if (!solid) solid = SolidDepth::of(mesh);
-  return *solid ? &**solid : nullptr;
+  std::call_once(isAsked_, [this] { solid_ = SolidDepth::of(mesh); });
+  return solid_ ? &*solid_ : nullptr;
 }
 
 double PreparedBody::deviationOf(const Label& label) const {

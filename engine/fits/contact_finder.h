@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -12,14 +13,13 @@
 
 namespace glissade {
 
-/// A body prepared for comparisons with others, in the world frame.
+/// A body prepared for comparisons with others, in the world frame. Shared by threads.
 struct PreparedBody {
   TriangleMesh mesh;
   TriangleTree tree;
   SurfaceRegions regions;
   double deflection = 0.0;  ///< see ContactBody::deflection
   double deviation = 0.0;   ///< largest deviation of its triangles from the true surface, metres
-  mutable std::optional<std::optional<SolidDepth>> solid;  ///< set at first use
 
   PreparedBody(TriangleMesh mesh_W, SurfaceRegions regions_W, double deflection_);
 
@@ -27,6 +27,10 @@ struct PreparedBody {
   const SolidDepth* depth() const;
   /// Largest deviation of triangles of this label from the true surface, metres.
   double deviationOf(const SurfaceRegions::Label& label) const;
+
+ private:
+  mutable std::once_flag isAsked_;
+  mutable std::optional<SolidDepth> solid_;  ///< made at the first call of depth()
 };
 
 /// The contact of two bodies; nothing if they are farther apart than `limits.clearanceUpTo`. Indices of the contact are

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/thread_team.h"
 #include "engine/base/work_watch.h"
 #include "engine/fits/fit_settings.h"
 #include "engine/model/body_id.h"
@@ -60,7 +61,10 @@ struct ContactLimits {
 
 /// Every pair of bodies that touch, overlap or are within the requested clearance, from their meshes. Stated or fitted
 /// surfaces (findSurfaceRegions()) are compared exactly, other near surfaces by their triangles. Overlaps are found
-/// between closed meshes only. After a stop the report is incomplete.
+/// between closed meshes only. The threads of the team share the work. After a stop the report is incomplete.
+ContactReport findContacts(const std::vector<ContactBody>& bodies, const ContactLimits& limits, const WorkWatch& watch,
+                           ThreadTeam& team);
+/// On the calling thread alone.
 ContactReport findContacts(const std::vector<ContactBody>& bodies, const ContactLimits& limits = {},
                            const WorkWatch& watch = {});
 

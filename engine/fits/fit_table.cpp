@@ -1,9 +1,9 @@
 #include "engine/fits/fit_table.h"
 
 #include <algorithm>
-#include <mutex>
 #include <tuple>
 
+#include "engine/base/part_count.h"
 #include "engine/fits/giving_way.h"
 
 namespace glissade {
@@ -34,23 +34,6 @@ void callClash(PairFit& pair) {
   kind = ContactKind::Clash;
   pair.contact.isPlainOverlap = false;
 }
-
-/// Reports the finished share of a number of parts of work. Thread-safe.
-class PartCount {
- public:
-  PartCount(WorkWatch watch, std::size_t parts) : watch_(std::move(watch)), parts_(parts) {}
-
-  void add() {
-    const std::lock_guard lock(mutex_);
-    watch_.report(static_cast<double>(++done_) / static_cast<double>(parts_));
-  }
-
- private:
-  WorkWatch watch_;
-  std::size_t parts_;
-  std::mutex mutex_;
-  std::size_t done_ = 0;
-};
 
 /// Measures each pair once, the pairs with the most triangles first. Bodies that are asked about at the same time share
 /// a pair, so that one would wait for the other.
@@ -102,7 +85,7 @@ Result<FitTable> FitTable::find(const AssembledProduct& product, ThreadTeam& tea
   FitTable table;
   const StopToken& stop = watch.stop;
   const WorkWatch forContacts = watch.part(0.0, kContactsShare);
-  const std::vector<Contact> contacts = findContacts(contactBodiesOf(product), limits, forContacts).contacts;
+  const std::vector<Contact> contacts = findContacts(contactBodiesOf(product), limits, forContacts, team).contacts;
   table.prepared_ = std::make_shared<PreparedBodies>(product.bodies);
   FitTools tools;
   // Each body that is taken thinner is asked about once or twice.
