@@ -31,13 +31,13 @@ Scenario closedRoom() {
     for (const double side : {-kHalf, kHalf}) {
       Vector3 size = Vector3::Constant(2.0 * kHalf - 0.011);
       size[axis] = 0.01;
-      const std::string id = "wall_" + std::to_string(scenario.bodies.size());
+      const BodyId id("wall_" + std::to_string(scenario.bodies.size()));
       scenario.bodies.push_back(boxAt(id, size, side * Vector3::Unit(axis)));
     }
   }
   for (int i = 0; scenario.bodies.size() + 1 < kBodies; ++i) {
     const Vector3 at(1.0 + 0.1 * (i % 10), 0.1 * (i / 10), 0.0);
-    scenario.bodies.push_back(boxAt("box_" + std::to_string(i), Vector3::Constant(0.05), at));
+    scenario.bodies.push_back(boxAt(BodyId("box_" + std::to_string(i)), Vector3::Constant(0.05), at));
   }
   scenario.goal = Pose::translation({0.5, 0.0, 0.0});
   scenario.workspace = Box3(Vector3(-1.0, -1.0, -1.0), Vector3(3.0, 2.0, 1.0));

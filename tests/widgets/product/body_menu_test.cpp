@@ -22,10 +22,10 @@ class BodyMenuTest : public test::WholeWindowTest {
   QAction* action(const char* id) { return window_->workbench().actions[id]; }
   QWidget* scene() { return window_->workbench().scene.widget(); }
 
-  QTreeWidgetItem* rowOf(const std::string& id) {
+  QTreeWidgetItem* rowOf(const BodyId& id) {
     auto* list = window_->findChild<ScenePanel*>();
     for (QTreeWidgetItemIterator item(list); *item != nullptr; ++item) {
-      if ((*item)->data(0, Qt::UserRole).toString().toStdString() == id) return *item;
+      if ((*item)->data(0, Qt::UserRole).toString().toStdString() == id.text()) return *item;
     }
     return nullptr;
   }
@@ -46,7 +46,7 @@ class BodyMenuTest : public test::WholeWindowTest {
 };
 
 TEST_P(BodyMenuTest, ABodyIsRenamedInTheListAndTheNameCanBeUndone) {
-  const std::string id = document().scenario()->obstacles.front().id.text();
+  const BodyId id = document().scenario()->obstacles.front().id;
   ASSERT_NE(rowOf(id), nullptr);
   const QString before = rowOf(id)->text(0);
   rowOf(id)->setText(0, QStringLiteral("Support"));

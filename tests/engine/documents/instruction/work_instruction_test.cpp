@@ -32,9 +32,9 @@ TEST(WorkInstruction, EachStepIsInOnePanelWithItsNumberInThePlan) {
 TEST(WorkInstruction, WhatIsThereGrowsByWhatComes) {
   const WorkInstruction instruction = test::instructed(test::blocksOnABase(3));
   ASSERT_EQ(instruction.panels.size(), 4U);
-  EXPECT_EQ(instruction.panels[0].present, std::vector<std::string>{"base"});
+  EXPECT_EQ(instruction.panels[0].present, std::vector<BodyId>{"base"});
   EXPECT_EQ(instruction.panels[0].work, "Put base on the bench.");
-  EXPECT_EQ(instruction.panels[3].present, (std::vector<std::string>{"base", "block0", "block1"}));
+  EXPECT_EQ(instruction.panels[3].present, (std::vector<BodyId>{"base", "block0", "block1"}));
 }
 
 TEST(WorkInstruction, AlikePartsAreFetchedTogetherWithTheirCount) {
@@ -73,7 +73,7 @@ TEST(WorkInstruction, AGroupIsPutTogetherBeforeItIsPutOn) {
   std::vector<std::string> numbers;
   for (const InstructionPanel& panel : instruction.panels) numbers.push_back(panel.number + "/" + panel.subassembly);
   EXPECT_EQ(numbers, (std::vector<std::string>{"/", "/1", "1.1/1", "1/"}));
-  EXPECT_EQ(instruction.panels[2].present, std::vector<std::string>{"block0"});
+  EXPECT_EQ(instruction.panels[2].present, std::vector<BodyId>{"block0"});
   EXPECT_EQ(instruction.panels[3].work, "Place subassembly 1.");
   EXPECT_EQ(instruction.panels[3].fetched[0].bodies.size(), 2U) << "the group is drawn";
 }
