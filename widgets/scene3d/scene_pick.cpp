@@ -73,8 +73,8 @@ Ray rayThrough(const CameraController& camera, double x, double y) {
   return {camera.eye(), camera.R_WV() * direction_V.normalized()};
 }
 
-std::optional<BodyHit> pickBody(const std::vector<RigidBody>& bodies, const Ray& ray,
-                                const std::set<BodyId>& hidden, const std::vector<Plane>& sections) {
+std::optional<BodyHit> pickBody(const std::vector<RigidBody>& bodies, const Ray& ray, const std::set<BodyId>& hidden,
+                                const std::vector<Plane>& sections) {
   std::optional<BodyHit> nearest;
   MeshBoxes boxes;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
