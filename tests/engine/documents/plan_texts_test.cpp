@@ -308,6 +308,7 @@ TEST(PartsList, NamesAreThoseOfTheFile) {
   AssemblyPlan plan;
   plan.staying = {"base"};
   plan.steps.push_back(stepOf("1_4-20", {Pose::identity(), Pose::translation({0, 0, 1})}));
+  plan.steps.back().proof.nearest = "base";
   EXPECT_EQ(partsList(plan, product).back().name, "1/4-20 x 1, zinc");
   EXPECT_NE(planAsCsv(plan, product, PlanOrder::Removal).find("\n1,\"1/4-20 x 1, zinc\","), std::string::npos);
 }
