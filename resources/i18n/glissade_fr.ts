@@ -3380,10 +3380,6 @@
         <translation>est inférieur à zéro&#xa0;: donnez une longueur, comme 1.5mm</translation>
     </message>
     <message>
-        <source>Take clashes up to this overlap as fits, as 1.5mm</source>
-        <translation>Prendre les interférences jusqu&apos;à ce recouvrement pour des ajustements, comme 1.5mm</translation>
-    </message>
-    <message>
         <source>In accepted clashes, the body that is cut where it is not clear which of the two has the hole</source>
         <translation>Dans les interférences acceptées, le corps qui est découpé lorsqu&apos;on ne sait pas lequel des deux a le trou</translation>
     </message>
@@ -11606,6 +11602,22 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>no motion was found: %1</source>
         <translation>aucun mouvement n&apos;a été trouvé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Take clashes up to this overlap as fits, as 1.5mm; advised: each clash by its own overlap</source>
+        <translation>Prendre pour des ajustements les interférences jusqu&apos;à ce recouvrement, par exemple 1.5mm&#xa0;; advised&#xa0;: chaque interférence pour son propre recouvrement</translation>
+    </message>
+    <message>
+        <source>&apos;advised&apos; is not kept in a scenario</source>
+        <translation>«&#xa0;advised&#xa0;» n&apos;est pas conservé dans un scénario</translation>
+    </message>
+    <message>
+        <source>Give a length, as 1.5mm.</source>
+        <translation>Donnez une longueur, par exemple 1.5mm.</translation>
+    </message>
+    <message>
+        <source>accepted clash: &apos;%1&apos; and &apos;%2&apos;, %3</source>
+        <translation>interférence acceptée&#xa0;: «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;», %3</translation>
     </message>
 </context>
 <context>
