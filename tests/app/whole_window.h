@@ -62,8 +62,7 @@ class WholeWindowTest : public testing::TestWithParam<const char*> {
 
   std::unique_ptr<MainWindow> makeWindow(SessionClock clock = SessionClock::Lockstep) {
     setFontPoints(Preferences{}.fontPoints);
-    auto window =
-        std::make_unique<MainWindow>([](QWidget*) { return std::make_unique<UnseenScene>(); }, clock);
+    auto window = std::make_unique<MainWindow>([](QWidget*) { return std::make_unique<UnseenScene>(); }, clock);
     window->setBatch(true);
     window->setTheme(Theme::Light);
     window->resize(1280, 720);

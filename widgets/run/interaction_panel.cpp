@@ -47,7 +47,7 @@ InteractionPanel::InteractionPanel(QWidget* parent)
       device_(new ResearchBox(operators(devices_), this)),
       pace_(new PaceBox(this)),
       seed_(new SeedBox(this)),
-      authorityTitle_(new QLabel(tr("Computer share now"), this)),
+      authorityTitle_(new QLabel(tr("Tried last"), this)),
       authority_(new QLabel(this)),
       replayed_(new QLabel(tr("Replayed: as it was at this step"), this)),
       sliders_(new ParameterSliders(steeringParameters(), this)) {

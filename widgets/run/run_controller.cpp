@@ -209,9 +209,21 @@ void RunController::showRun(const SnapshotPtr& snapshot) {
   interaction_->setSnapshot(*snapshot);
   interaction_->setDevice(bench_.session.deviceId());
   counts_->setSnapshot(*snapshot, *bench_.document.scenario());
-  status_->setText(bench_.run.isLive() ? statusText(*snapshot) : bench_.run.replayText());
+  status_->setText(bench_.run.isLive() ? stateText(*snapshot) : bench_.run.replayText());
   elapsed_->setText(snapshot->run > 0 ? elapsedText(*snapshot) : QString());
   enableActions(snapshot.get());
+}
+
+QString RunController::stateText(const SessionSnapshot& snapshot) const {
+  const bool isProduct = std::holds_alternative<GoalOut>(bench_.document.scenario()->problem.goal);
+  if (!isProduct || snapshot.state != SessionState::Idle || snapshot.problem || snapshot.refused) {
+    return statusText(snapshot);
+  }
+  const auto key = [this](const char* id) {
+    return bench_.actions[QLatin1String(id)]->shortcut().toString(QKeySequence::NativeText);
+  };
+  return tr("Ready. Plan sequence (%1) is for all parts, Find path (%2) for the moving part.")
+      .arg(key("sequence.plan"), key("run.start"));
 }
 
 void RunController::enableActions(const SessionSnapshot* snapshot) {

@@ -34,6 +34,8 @@ class RunController final : public QObject {
   void takeSnapshot(const SessionSnapshot& snapshot);
   void keepSettings(const SessionSnapshot& snapshot);
   void showRun(const SnapshotPtr& snapshot);
+  /// The state of the run, or the first thing to do with a product.
+  QString stateText(const SessionSnapshot& snapshot) const;
   void enableActions(const SessionSnapshot* snapshot);
   void chooseDevice(const std::string& id);
   void restart(std::uint64_t seed);
