@@ -68,7 +68,8 @@ InteractionPanel::InteractionPanel(QWidget* parent)
   auto* form = new QFormLayout;
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   form->setLabelAlignment(Qt::AlignLeft);
-  form->addRow(tr("Strategy"), planner_);
+  form->addRow(new QLabel(tr("Strategy"), this));  // on a row of its own, because names of strategies are long
+  form->addRow(planner_);
   form->addRow(about_);
   form->addRow(tr("Operator"), device_);
   form->addRow(tr("Pace"), pace_);

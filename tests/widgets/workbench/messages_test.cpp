@@ -59,8 +59,8 @@ TEST(Messages, ADocumentThatWasSavedCanBeOpenedUntilAnotherMessageComes) {
   QMainWindow window;
   auto* standing = new QLabel(QStringLiteral("Ready."));
   window.statusBar()->addWidget(standing, 1);
-  window.show();
   Messages messages(window);
+  window.show();
   messages.showSaved(QStringLiteral("a.html was saved"), QStringLiteral("/elsewhere/a.html"));
   messages.showSaved(QStringLiteral("a.html was saved"), QStringLiteral("/folder/a.html"));
   EXPECT_EQ(window.findChildren<QAbstractButton*>(QStringLiteral("open-saved")).size(), 1);
