@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "engine/base/file.h"
 #include "engine/files/run_record.h"
 #include "engine/files/scenario_file.h"
 
