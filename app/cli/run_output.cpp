@@ -2,6 +2,7 @@
 
 #include <glissade/version.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -18,6 +19,7 @@
 #include "engine/files/run_record.h"
 #include "engine/files/scenario.h"
 #include "engine/files/scenario_io.h"
+#include "engine/fits/fit_refusals.h"
 #include "engine/geometry/pose_json.h"
 #include "engine/planning/automatic/straight_ways_out.h"
 #include "engine/planning/difficulty/difficulty.h"
@@ -291,6 +293,19 @@ void printBlocking(const std::vector<const RigidBody*>& bodies, const Console& c
   console.print({GLISSADE_TEXT("held at its start by %1"), {glissade::joined(names, ", ")}});
 }
 
+/// Accepted clashes of the object with the bodies that hold it.
+std::vector<Message> adviceAbout(const std::vector<const RigidBody*>& bodies, const LoadedScenario& scenario) {
+  std::vector<Message> advice;
+  for (const RigidBody* body : bodies) {
+    const std::vector<Fit>& fits = scenario.fits.allowed;
+    const auto clash = std::find_if(fits.begin(), fits.end(), [&](const Fit& fit) {
+      return fit.body == body->id && fit.kind == ContactKind::Clash;
+    });
+    if (clash != fits.end()) advice.push_back(adviceToCut(*clash, scenario.object.name, body->name));
+  }
+  return advice;
+}
+
 SaveResult writeRecord(const PlanOptions& options, const LoadedScenario& scenario, const SessionSnapshot& end) {
   const auto record = makeRunRecord(scenario, joined(end.log));
   if (!record) return notSaved(record.error());
@@ -340,6 +355,7 @@ int deliver(const PlanOptions& options, const LoadedScenario& scenario, const Se
     if (end.path) addUncertainties(scenario, end.path->points, report["certificate"]);
     for (const Message& line : pulled) report["pulled_threads"].push_back(toString(line));
     if (foundNone(end)) report["blocked_by"] = idsOf(blockedBy);
+    for (const Message& line : adviceAbout(blockedBy, scenario)) report["advice"].push_back(toString(line));
     if (difficulty) report["difficulty"] = toJson(*difficulty, world);
     printJson(report);
   } else {
@@ -350,6 +366,7 @@ int deliver(const PlanOptions& options, const LoadedScenario& scenario, const Se
     }
     if (end.path && options.edges) printEdges(end.path->certificate, world, options.console);
     printBlocking(blockedBy, options.console);
+    for (const Message& line : adviceAbout(blockedBy, scenario)) options.console.print(line);
     if (difficulty) printDifficulty(*difficulty, world, options.console);
   }
   if (end.problem) noteError(*end.problem, options.console);

@@ -28,12 +28,16 @@ double longestEdge(const Triangle& triangle) {
 PartCells::PartCells(const Triangle& part, const std::vector<Triangle>& triangles, const std::vector<Vector3>& normals,
                      const std::vector<std::uint32_t>& near)
     : triangles_(triangles), normals_(normals) {
-  open_.push(cellOf(part, near));
+  PartCell whole;
+  whole.near = near;
+  whole.convex = isConvex(near);
+  push(cellOf(part, whole));
 }
 
 PartCell PartCells::take() {
-  PartCell cell = open_.top();
-  open_.pop();
+  std::pop_heap(open_.begin(), open_.end(), isLess);
+  PartCell cell = std::move(open_.back());
+  open_.pop_back();
   return cell;
 }
 
@@ -49,27 +53,51 @@ void PartCells::halve(const PartCell& cell) {
   const Vector3& apex = cell.corners[(longest + 2) % 3];
   const Vector3 middle = 0.5 * (a + b);
   for (const Triangle& half : {Triangle{a, middle, apex}, Triangle{middle, b, apex}}) {
-    open_.push(cellOf(half, cell.near));
+    push(cellOf(half, cell));
   }
 }
 
-PartCell PartCells::cellOf(const Triangle& corners, const std::vector<std::uint32_t>& near) const {
-  PartCell cell{corners, {}, (corners[0] + corners[1] + corners[2]) / 3.0, 0.0};
+void PartCells::push(PartCell cell) {
+  open_.push_back(std::move(cell));
+  std::push_heap(open_.begin(), open_.end(), isLess);
+}
+
+PartCell PartCells::cellOf(const Triangle& corners, const PartCell& parent) const {
+  const std::vector<std::uint32_t>& near = parent.near;
+  PartCell cell;
+  cell.corners = corners;
+  cell.middle = (corners[0] + corners[1] + corners[2]) / 3.0;
   for (const Vector3& corner : corners) cell.radius = std::max(cell.radius, (corner - cell.middle).norm());
-  std::vector<double> distances;
-  const auto distance = [&](const Vector3& p, std::uint32_t t) { return (nearestPoint(triangles_[t], p) - p).norm(); };
-  for (const std::uint32_t t : near) distances.push_back(distance(cell.middle, t));
-  const auto nearest = std::min_element(distances.begin(), distances.end());
-  if (nearest == distances.end()) return cell;
-  cell.distance = *nearest;
-  const std::uint32_t number = near[static_cast<std::size_t>(nearest - distances.begin())];
-  for (const Vector3& corner : corners) cell.bound = std::max(cell.bound, distance(corner, number));
-  cell.bound = std::min(cell.bound, cell.distance + cell.radius);
+  if (near.empty()) return cell;
+  std::vector<Vector3> away;  // from each triangle's nearest point to the middle
+  for (const std::uint32_t t : near) away.push_back(cell.middle - nearestPoint(triangles_[t], cell.middle));
+  const auto isShorter = [](const Vector3& a, const Vector3& b) { return a.squaredNorm() < b.squaredNorm(); };
+  const auto nearest = std::min_element(away.begin(), away.end(), isShorter);
+  cell.distance = nearest->norm();
+  const Triangle& triangle = triangles_[near[static_cast<std::size_t>(nearest - away.begin())]];
+  std::array<double, 3> atCorners{};
+  for (std::size_t i = 0; i < 3; ++i) atCorners[i] = (corners[i] - nearestPoint(triangle, corners[i])).norm();
+  cell.bound = std::min(*std::max_element(atCorners.begin(), atCorners.end()), cell.distance + cell.radius);
   for (std::size_t i = 0; i < near.size(); ++i) {
-    if (distances[i] <= cell.distance + 2.0 * cell.radius) cell.near.push_back(near[i]);
+    if (canBeNearest(away[i], cell, atCorners)) cell.near.push_back(near[i]);
   }
+  // A subset of a convex set is convex.
+  cell.convex = parent.convex || (cell.near.size() < near.size() && isConvex(cell.near));
   cell.bound = std::min(cell.bound, belowPlanes(cell));
   return cell;
+}
+
+/// True if a triangle can be nearest to a point of the cell. `away`: from its nearest point to the middle. `atCorners`:
+/// the corners' distances from the triangle that is nearest to the middle. Both distances are convex functions: that
+/// from the triangle is no less than its tangent at the middle, that from the nearest one no more than the
+/// interpolation between the corners.
+bool PartCells::canBeNearest(const Vector3& away, const PartCell& cell, const std::array<double, 3>& atCorners) {
+  const double distance = away.norm();
+  const Vector3 slope = distance > 0.0 ? Vector3(away / distance) : Vector3::Zero();
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (distance + slope.dot(cell.corners[i] - cell.middle) <= atCorners[i] + kRounding) return true;
+  }
+  return false;
 }
 
 /// Upper bound on the depth of points of the cell by the planes of the triangles; infinity if they give none.
@@ -77,8 +105,7 @@ double PartCells::belowPlanes(const PartCell& cell) const {
   const Vector3& first = normals_[cell.near.front()];
   const bool sameWay =
       std::all_of(cell.near.begin(), cell.near.end(), [&](auto t) { return normals_[t].dot(first) >= kSameWay; });
-  const bool convex = isConvex(cell.near);
-  if (!sameWay && !convex) return std::numeric_limits<double>::infinity();
+  if (!sameWay && !cell.convex) return std::numeric_limits<double>::infinity();
   double least = std::numeric_limits<double>::infinity();
   double most = 0.0;
   for (const std::uint32_t t : cell.near) {
@@ -87,7 +114,7 @@ double PartCells::belowPlanes(const PartCell& cell) const {
     least = std::min(least, below);
     most = std::max(most, below);
   }
-  return convex ? least : most;
+  return cell.convex ? least : most;
 }
 
 /// True if none of a few triangles is above the plane of another one.

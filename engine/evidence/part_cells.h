@@ -1,7 +1,7 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <queue>
 #include <vector>
 
 #include "engine/geometry/triangle_pair.h"
@@ -12,8 +12,9 @@ namespace glissade::evidence {
 struct PartCell {
   Triangle corners;
   std::vector<std::uint32_t> near;
-  Vector3 middle;
-  double radius;          ///< radius of the cell about its middle, metres
+  bool convex = false;  ///< whether none of the near triangles is above the plane of another one; not of many triangles
+  Vector3 middle = Vector3::Zero();
+  double radius = 0.0;    ///< radius of the cell about its middle, metres
   double distance = 0.0;  ///< distance of the middle from the nearest of the triangles, metres
   double bound = 0.0;     ///< upper bound on the distance of points of the cell from the surface, metres
 };
@@ -41,11 +42,11 @@ class PartCells {
   void halve(const PartCell& cell);
 
  private:
-  struct IsLess {
-    bool operator()(const PartCell& a, const PartCell& b) const { return a.bound < b.bound; }
-  };
-  PartCell cellOf(const Triangle& corners, const std::vector<std::uint32_t>& near) const;
-
+  static bool isLess(const PartCell& a, const PartCell& b) { return a.bound < b.bound; }
+  void push(PartCell cell);
+  /// The cell of a part of `parent`.
+  PartCell cellOf(const Triangle& corners, const PartCell& parent) const;
+  static bool canBeNearest(const Vector3& away, const PartCell& cell, const std::array<double, 3>& atCorners);
   double belowPlanes(const PartCell& cell) const;
   bool isConvex(const std::vector<std::uint32_t>& near) const;
   double heightBelow(std::uint32_t triangle, const Vector3& p) const {
@@ -54,7 +55,7 @@ class PartCells {
 
   const std::vector<Triangle>& triangles_;
   const std::vector<Vector3>& normals_;
-  std::priority_queue<PartCell, std::vector<PartCell>, IsLess> open_;
+  std::vector<PartCell> open_;  ///< a heap by isLess()
 };
 
 }  // namespace glissade::evidence

@@ -48,21 +48,23 @@ const PlacedBody& PlacedBodies::at(const Placement& placement) {
   return *entries.back().placed;
 }
 
-PlacedBodies::MeasuredPtr PlacedBodies::measured(const PlacedBody& one, const PlacedBody& other, const Body& otherBody,
-                                                 const StopToken& stop) {
-  {
-    const std::lock_guard lock(mutex_);
-    const auto known = pairs_.find({&one, &other});
-    if (known != pairs_.end()) return known->second;
-  }
-  MeasuredPair pair = measurePair(one, other, stop);
-  if (pair.other.patches) {
-    pair.other.mesh = std::make_shared<const TriangleMesh>(pair.other.patches->divided(*otherBody.mesh));
-  }
-  auto found = std::make_shared<const MeasuredPair>(std::move(pair));
-  if (stop.stopRequested()) return found;
-  const std::lock_guard lock(mutex_);
-  return pairs_.try_emplace({&one, &other}, std::move(found)).first->second;
+void PlacedBodies::measure(const Placement& one, const Placement& other, const StopToken& stop) {
+  (void)measured(ordered(one, other), stop);
+}
+
+/// Null if the bodies are apart.
+PlacedBodies::MeasuredPtr PlacedBodies::measured(const Ordered& pair, const StopToken& stop) {
+  const PlacedBody& own = at({pair.secondBody, Pose::identity()});
+  const Box3 box = own.tree.box().transformed(toIsometry(pair.second));
+  if (pair.first.tree.box().exteriorDistance(box) > touchingReach(pair.first, own)) return nullptr;
+  const PlacedBody& second = at({pair.secondBody, pair.second});
+  return pairs_.get({&pair.first, &second}, stop, [&] {
+    MeasuredPair found = measurePair(pair.first, second, stop);
+    if (found.other.patches) {
+      found.other.mesh = std::make_shared<const TriangleMesh>(found.other.patches->divided(*pair.secondBody.mesh));
+    }
+    return std::make_shared<const MeasuredPair>(std::move(found));
+  });
 }
 
 PairBounds PlacedBodies::boundsOf(const Placement& one, const Placement& other, const FitWords& fits,
@@ -94,28 +96,16 @@ void PlacedBodies::addHook(const SnapWord& snap, const Placement& hook, const Pl
 PlacedBodies::HookPtr PlacedBodies::measuredHook(const HookQuestion& question, const StopToken& stop) {
   const Vector3& d = question.direction;
   const HookKey key{&question.hook, &question.edge, d.x(), d.y(), d.z(), question.bend};
-  {
-    const std::lock_guard lock(mutex_);
-    if (const auto known = hooks_.find(key); known != hooks_.end()) return known->second;
-  }
-  auto found = std::make_shared<const std::vector<bool>>(hookRegions(question, stop));
-  if (stop.stopRequested()) return found;
-  const std::lock_guard lock(mutex_);
-  return hooks_.try_emplace(key, std::move(found)).first->second;
+  return hooks_.get(key, stop, [&] { return std::make_shared<const std::vector<bool>>(hookRegions(question, stop)); });
 }
 
 MeshPtr PlacedBodies::hollowOf(const Placement& body, const Placement& guest, const StopToken& stop) {
   const PlacedBody& own = at({body.body, Pose::identity()});
   const PlacedBody& other = at({guest.body, rounded(inverse(body.X_WB) * guest.X_WB)});
-  {
-    const std::lock_guard lock(mutex_);
-    if (const auto known = hollows_.find({&own, &other}); known != hollows_.end()) return known->second;
-  }
-  std::optional<TriangleMesh> made = hollowed(own, other, stop);
-  MeshPtr found = made ? std::make_shared<const TriangleMesh>(std::move(*made)) : nullptr;
-  if (stop.stopRequested()) return found;
-  const std::lock_guard lock(mutex_);
-  return hollows_.try_emplace({&own, &other}, std::move(found)).first->second;
+  return hollows_.get({&own, &other}, stop, [&] {
+    std::optional<TriangleMesh> made = hollowed(own, other, stop);
+    return made ? std::make_shared<const TriangleMesh>(std::move(*made)) : nullptr;
+  });
 }
 
 PlacedBodies::Ordered PlacedBodies::ordered(const Placement& one, const Placement& other) {
@@ -129,16 +119,7 @@ Cut PlacedBodies::cutOf(const Placement& one, const Placement& other, const FitW
   const Ordered pair = ordered(one, other);
   const PlacedBody& first = pair.first;
   const PlacedBody& second = at({pair.secondBody, pair.second});
-  const auto shape = [&] {
-    {
-      const std::lock_guard lock(mutex_);
-      if (const auto known = cuts_.find({&first, &second}); known != cuts_.end()) return known->second;
-    }
-    const CutShape found = cutShapeOf(first, second, stop);
-    if (stop.stopRequested()) return found;
-    const std::lock_guard lock(mutex_);
-    return cuts_.try_emplace({&first, &second}, found).first->second;
-  }();
+  const CutShape shape = cuts_.get({&first, &second}, stop, [&] { return cutShapeOf(first, second, stop); });
   const bool namesOne = fits.isCut(one.body.id);
   const bool namesOther = fits.isCut(other.body.id);
   const Cut cut =
@@ -149,19 +130,12 @@ Cut PlacedBodies::cutOf(const Placement& one, const Placement& other, const FitW
 
 PairBounds PlacedBodies::boundsInContact(const Placement& one, const Placement& other, const FitWords& fits,
                                          const PairWord* word, const StopToken& stop) {
-  const Ordered order = ordered(one, other);
-  const PlacedBody& a = order.first;
-  const PlacedBody& own = at({order.secondBody, Pose::identity()});
-  const Box3 box = own.tree.box().transformed(toIsometry(order.second));
-  if (a.tree.box().exteriorDistance(box) > touchingReach(a, own)) {
-    return {noBound(one.body), noBound(other.body)};
-  }
-  const PlacedBody& b = at({order.secondBody, order.second});
-  const MeasuredPtr pair = measured(a, b, order.secondBody, stop);
-  const MeasuredBody ofFirst{a, pair->one};
-  const MeasuredBody ofSecond{b, pair->other};
-  return order.isInOrder ? evidence::boundsOf(ofFirst, ofSecond, fits, word)
-                         : evidence::boundsOf(ofSecond, ofFirst, fits, word);
+  const Ordered pair = ordered(one, other);
+  const MeasuredPtr found = measured(pair, stop);
+  if (!found) return {noBound(one.body), noBound(other.body)};
+  const MeasuredBody first{pair.first, found->one};
+  const MeasuredBody second{at({pair.secondBody, pair.second}), found->other};
+  return pair.isInOrder ? evidence::boundsOf(first, second, fits, word) : evidence::boundsOf(second, first, fits, word);
 }
 
 }  // namespace glissade::evidence

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/made_once.h"
 #include "engine/base/stop_token.h"
 #include "engine/evidence/cut_shape.h"
 #include "engine/evidence/evidence.h"
@@ -28,6 +29,8 @@ struct Placement {
 class PlacedBodies {
  public:
   const PlacedBody& at(const Placement& placement);
+  /// Measures the pair for a later question.
+  void measure(const Placement& one, const Placement& other, const StopToken& stop);
   /// The allowances that the evidence gives for the two bodies, in this order. After a stop the pair is not stored.
   PairBounds boundsOf(const Placement& one, const Placement& other, const FitWords& fits, const PairWord* word,
                       const StopToken& stop);
@@ -52,8 +55,7 @@ class PlacedBodies {
     Pose second;
   };
   Ordered ordered(const Placement& one, const Placement& other);
-  /// `otherBody`: the body of `other`, which is placed in the frame of `one`.
-  MeasuredPtr measured(const PlacedBody& one, const PlacedBody& other, const Body& otherBody, const StopToken& stop);
+  MeasuredPtr measured(const Ordered& pair, const StopToken& stop);
   void addHook(const SnapWord& snap, const Placement& hook, const Placement& edge, AllowanceBound& bound,
                const StopToken& stop);
   HookPtr measuredHook(const HookQuestion& question, const StopToken& stop);
@@ -62,12 +64,13 @@ class PlacedBodies {
     Pose X_WB;
     std::unique_ptr<const PlacedBody> placed;
   };
-  std::mutex mutex_;
+  using PairKey = std::pair<const PlacedBody*, const PlacedBody*>;
+  std::mutex mutex_;  ///< guards entries_
   std::map<const TriangleMesh*, std::vector<Entry>> entries_;
-  std::map<std::pair<const PlacedBody*, const PlacedBody*>, MeasuredPtr> pairs_;
-  std::map<HookKey, HookPtr> hooks_;
-  std::map<std::pair<const PlacedBody*, const PlacedBody*>, MeshPtr> hollows_;
-  std::map<std::pair<const PlacedBody*, const PlacedBody*>, CutShape> cuts_;
+  MadeOnce<PairKey, MeasuredPtr> pairs_;
+  MadeOnce<HookKey, HookPtr> hooks_;
+  MadeOnce<PairKey, MeshPtr> hollows_;
+  MadeOnce<PairKey, CutShape> cuts_;
 };
 
 }  // namespace glissade::evidence

@@ -21,4 +21,15 @@ Message openOnBothSides(double opening, double othersOpening) {
           {Length{opening}, Length{othersOpening}}};
 }
 
+Message adviceToCut(const Allowance& clash, const std::string& own, const std::string& other) {
+  if (clash.hollow) {
+    return {GLISSADE_TEXT("'%1' is cut, because its clash with '%2' (%3) is accepted; if '%2' is the one to cut, name "
+                          "it (--cut \"%2\")"),
+            {clash.yields ? other : own, clash.yields ? own : other, Depth{clash.overlap}}};
+  }
+  return {GLISSADE_TEXT("the clash of '%1' and '%2' (%3) is accepted, and they are thinned where they overlap; if one "
+                        "is drawn through the other, name the one to cut (--cut \"%1\" or --cut \"%2\")"),
+          {own, other, Depth{clash.overlap}}};
+}
+
 }  // namespace glissade

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <string>
+
 #include "engine/base/message.h"
+#include "engine/fits/allowance.h"
 
 namespace glissade {
 
@@ -12,5 +15,9 @@ Message noRoom(double allowance);
 Message noRoomBeside(double allowance, double opening);
 /// The surfaces of both bodies are open at these distances from the contact.
 Message openOnBothSides(double opening, double othersOpening);
+
+/// How an accepted clash is taken, and the body to name if that is not what was meant. `own`, `other`: names of the
+/// moving body and of the body in `clash`.
+Message adviceToCut(const Allowance& clash, const std::string& own, const std::string& other);
 
 }  // namespace glissade

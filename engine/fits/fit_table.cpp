@@ -52,6 +52,27 @@ class PartCount {
   std::size_t done_ = 0;
 };
 
+/// Measures each pair once, the pairs with the most triangles first. Bodies that are asked about at the same time share
+/// a pair, so that one would wait for the other.
+void measurePairs(const AssembledProduct& product, const std::vector<Contact>& contacts, evidence::PlacedBodies& placed,
+                  ThreadTeam& team, const WorkWatch& watch) {
+  const auto trianglesOf = [&](const Contact& contact) {
+    return product.bodies[contact.a].mesh->triangles.size() + product.bodies[contact.b].mesh->triangles.size();
+  };
+  std::vector<const Contact*> pairs;
+  for (const Contact& contact : contacts) pairs.push_back(&contact);
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [&](const Contact* one, const Contact* other) { return trianglesOf(*one) > trianglesOf(*other); });
+  PartCount done(watch, pairs.size());
+  team.run(pairs.size(), [&](std::size_t i) {
+    if (watch.stop.stopRequested()) return;
+    const evidence::Body a = product.measured(pairs[i]->a);
+    const evidence::Body b = product.measured(pairs[i]->b);
+    placed.measure({a, a.X_WB}, {b, b.X_WB}, watch.stop);
+    done.add();
+  });
+}
+
 }  // namespace
 
 double PairWay::allowance() const {
@@ -76,7 +97,8 @@ std::vector<std::string> PairFit::thinner() const {
 
 Result<FitTable> FitTable::find(const AssembledProduct& product, ThreadTeam& team, const WorkWatch& watch,
                                 const ContactLimits& limits) {
-  constexpr double kContactsShare = 0.5;  // share of the work
+  constexpr double kContactsShare = 0.5;  // shares of the work
+  constexpr double kPairsShare = 0.9;
   FitTable table;
   const StopToken& stop = watch.stop;
   const WorkWatch forContacts = watch.part(0.0, kContactsShare);
@@ -85,8 +107,9 @@ Result<FitTable> FitTable::find(const AssembledProduct& product, ThreadTeam& tea
   FitTools tools;
   // Each body that is taken thinner is asked about once or twice.
   tools.prepared = std::make_shared<PreparedBodies>(product.bodies, BoxCare::ForFewQueries);
+  measurePairs(product, contacts, tools.placed, team, watch.part(kContactsShare, kPairsShare));
   std::vector<Result<ObjectFits>> objects(product.bodies.size(), ObjectFits());
-  PartCount done(watch.part(kContactsShare, 1.0), objects.size());
+  PartCount done(watch.part(kPairsShare, 1.0), objects.size());
   team.run(objects.size(), [&](std::size_t body) {
     if (!stop.stopRequested()) {
       objects[body] = findObjectFits({product, body, {}, &contacts, limits, nullptr, &tools}, stop);

@@ -76,10 +76,10 @@ const Fit* ProductFits::clashOf(std::size_t body, std::size_t other) const {
   return found == clashes.end() ? nullptr : &*found;
 }
 
-const Fit* ProductFits::cutOf(std::size_t body, std::size_t other) const {
+const Fit* ProductFits::acceptedClashOf(std::size_t body, std::size_t other) const {
   const std::vector<Fit>& fits = fitsOf(body);
   const auto found = std::find_if(fits.begin(), fits.end(), [&](const Fit& fit) {
-    return fit.obstacle == other && fit.hollow && fit.kind != ContactKind::Thread;
+    return fit.obstacle == other && (fit.kind == ContactKind::Clash || (fit.hollow && fit.kind != ContactKind::Thread));
   });
   return found == fits.end() ? nullptr : &*found;
 }

@@ -27,8 +27,8 @@ class ProductFits {
   const MeshPtr& obstacleFor(std::size_t body, std::size_t other) const;
   /// The clash that blocks each motion of the body past the other body; null: there is none.
   const Fit* clashOf(std::size_t body, std::size_t other) const;
-  /// The fit by which one of the two is cut, because their clash is accepted; null: neither is cut.
-  const Fit* cutOf(std::size_t body, std::size_t other) const;
+  /// A fit of the two by an accepted clash: one of them is cut, or they are thinned; null: there is none.
+  const Fit* acceptedClashOf(std::size_t body, std::size_t other) const;
   /// The thread by which the body leaves the other body by turning only; null: they are not screwed together.
   const FitThread* threadOf(std::size_t body, std::size_t other) const;
   /// Direction in which the body leaves the other body while a hook of either bends, unit, world frame; null: none

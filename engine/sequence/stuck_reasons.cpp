@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "engine/fits/fit_refusals.h"
 #include "engine/geometry/separate_solids.h"
 
 namespace glissade {
@@ -172,17 +173,14 @@ Message StuckReasons::ofAcceptedClash(std::size_t body, const Fit& clash) const 
           {other, depth}};
 }
 
-/// Names the body that could be cut instead of the one that is; empty if no body is cut for the unit.
+/// Names the body that could be cut for an accepted clash of the unit; empty if there is none.
 Message StuckReasons::ofCuts(const BodyGroup& unit, const std::set<std::size_t>& blocking) const {
   if (question_.fits == nullptr) return {};
   for (const std::size_t body : unit) {
     for (const std::size_t other : blocking) {
-      const Fit* fit = question_.fits->cutOf(body, other);
-      if (fit == nullptr) continue;
-      return {
-          GLISSADE_TEXT("no motion was found: '%1' is cut, because its clash with '%2' (%3) is accepted; if '%2' is "
-                        "the one to cut, name it (--cut \"%2\")"),
-          {name(fit->yields ? other : body), name(fit->yields ? body : other), Depth{fit->overlap}}};
+      const Fit* clash = question_.fits->acceptedClashOf(body, other);
+      if (clash == nullptr) continue;
+      return {GLISSADE_TEXT("no motion was found: %1"), {adviceToCut(*clash, name(body), name(other))}};
     }
   }
   return {};

@@ -11246,10 +11246,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>son interférence avec «&#xa0;%1&#xa0;» (%2) est acceptée, et aucune des deux ne peut être découpée et rester d&apos;un seul tenant&#xa0;: corrigez les pièces</translation>
     </message>
     <message>
-        <source>no motion was found: &apos;%1&apos; is cut, because its clash with &apos;%2&apos; (%3) is accepted; if &apos;%2&apos; is the one to cut, name it (--cut &quot;%2&quot;)</source>
-        <translation>aucun mouvement n&apos;a été trouvé&#xa0;: «&#xa0;%1&#xa0;» est découpée, car son interférence avec «&#xa0;%2&#xa0;» (%3) est acceptée&#xa0;; si c&apos;est «&#xa0;%2&#xa0;» qu&apos;il faut découper, nommez-la (--cut &quot;%2&quot;)</translation>
-    </message>
-    <message>
         <source>Write report.html, too (needs Python and matplotlib)</source>
         <translation>Écrire aussi report.html (demande Python et matplotlib)</translation>
     </message>
@@ -11598,6 +11594,18 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>Put it inside, enlarge the workspace, or remove it.</source>
         <translation>Placez-le à l&apos;intérieur, agrandissez l&apos;espace de travail ou enlevez-le.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is cut, because its clash with &apos;%2&apos; (%3) is accepted; if &apos;%2&apos; is the one to cut, name it (--cut &quot;%2&quot;)</source>
+        <translation>«&#xa0;%1&#xa0;» est découpée, car son interférence avec «&#xa0;%2&#xa0;» (%3) est acceptée&#xa0;; si c&apos;est «&#xa0;%2&#xa0;» qu&apos;il faut découper, nommez-la (--cut &quot;%2&quot;)</translation>
+    </message>
+    <message>
+        <source>the clash of &apos;%1&apos; and &apos;%2&apos; (%3) is accepted, and they are thinned where they overlap; if one is drawn through the other, name the one to cut (--cut &quot;%1&quot; or --cut &quot;%2&quot;)</source>
+        <translation>l&apos;interférence de «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» (%3) est acceptée, et elles sont amincies là où elles se recouvrent&#xa0;; si l&apos;une est dessinée à travers l&apos;autre, nommez celle qu&apos;il faut découper (--cut &quot;%1&quot; ou --cut &quot;%2&quot;)</translation>
+    </message>
+    <message>
+        <source>no motion was found: %1</source>
+        <translation>aucun mouvement n&apos;a été trouvé&#xa0;: %1</translation>
     </message>
 </context>
 <context>

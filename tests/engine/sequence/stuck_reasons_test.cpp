@@ -69,6 +69,23 @@ TEST(StuckReasons, AnAcceptedClashNamesTheOtherBodyThatCouldBeCut) {
   EXPECT_TRUE(plainPlanOf(product).stuck.empty());
 }
 
+/// A thin slab is sunk into the floor of a channel that is closed at its ends.
+TEST(StuckReasons, AnAcceptedClashThatIsThinnedNamesBothBodiesThatCouldBeCut) {
+  const auto channel = test::bodyOf("channel", {{{0.3, 0.1, 0.02}, {0.0, 0.0, -0.0155}},
+                                                {{0.3, 0.1, 0.02}, {0.0, 0.0, 0.0155}},
+                                                {{0.3, 0.02, 0.05}, {0.0, -0.0605, 0.0}},
+                                                {{0.3, 0.02, 0.05}, {0.0, 0.0605, 0.0}},
+                                                {{0.02, 0.1, 0.011}, {0.11, 0.0, 0.0}},
+                                                {{0.02, 0.1, 0.011}, {-0.11, 0.0, 0.0}}});
+  const RigidBody slab = boxBody("slab", {0.19, 0.09, 0.006}, Pose::translation({0.0, 0.0, -0.0037}));
+  AssembledProduct product =
+      test::productOf({channel, slab, boxBody("beside", {0.1, 0.1, 0.1}, Pose::translation({0.5, 0.0, 0.0}))}, true);
+  product.fits.acceptedClash = 0.004;
+  const AssemblyPlan plan = plainPlanOf(product);
+  ASSERT_EQ(plan.stuck.size(), 1U);
+  EXPECT_THAT(toString(plan.stuck[0].reason), HasSubstr("(--cut \"slab\" or --cut \"channel\")"));
+}
+
 TEST(StuckReasons, NothingLeavesWhereEveryBodyStays) {
   const AssembledProduct product = overlapping(0.0);
   test::QuietHost host;
