@@ -4606,14 +4606,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>mesure d&apos;un jeu</translation>
     </message>
     <message>
-        <source>the milestone would be in collision with &apos;%1&apos;</source>
-        <translation>le jalon serait en collision avec «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>Drop it where the object is free.</source>
-        <translation>Lâchez-le là où l&apos;objet est libre.</translation>
-    </message>
-    <message>
         <source>the report of a path is written as .html or .pdf</source>
         <translation>le rapport d&apos;un chemin s&apos;écrit en .html ou .pdf</translation>
     </message>
@@ -11592,6 +11584,14 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <translation>Écrire le graphe des liaisons en CSV ou en JSON</translation>
     </message>
     <message>
+        <source>the milestone lies outside the workspace</source>
+        <translation>le jalon est hors de l&apos;espace de travail</translation>
+    </message>
+    <message>
+        <source>Put it inside, enlarge the workspace, or remove it.</source>
+        <translation>Placez-le à l&apos;intérieur, agrandissez l&apos;espace de travail ou enlevez-le.</translation>
+    </message>
+    <message>
         <source>&apos;%1&apos; is cut, because its clash with &apos;%2&apos; (%3) is accepted; if &apos;%2&apos; is the one to cut, name it (--cut &quot;%2&quot;)</source>
         <translation>«&#xa0;%1&#xa0;» est découpée, car son interférence avec «&#xa0;%2&#xa0;» (%3) est acceptée&#xa0;; si c&apos;est «&#xa0;%2&#xa0;» qu&apos;il faut découper, nommez-la (--cut &quot;%2&quot;)</translation>
     </message>
@@ -13521,6 +13521,10 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <source>The places cannot be found</source>
         <translation>Les lieux ne peuvent pas être trouvés</translation>
     </message>
+    <message>
+        <source>The milestone was not moved</source>
+        <translation>Le jalon n&apos;a pas été déplacé</translation>
+    </message>
 </context>
 <context>
     <name>glissade::ExportDialog</name>
@@ -14245,8 +14249,8 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <translation>Graine</translation>
     </message>
     <message>
-        <source>Computer share now</source>
-        <translation>Part actuelle de l&apos;ordinateur</translation>
+        <source>Tried last</source>
+        <translation>Dernier essai</translation>
     </message>
     <message>
         <source>computer</source>
@@ -16308,6 +16312,10 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>The rules cannot be changed</source>
         <translation>Les règles ne peuvent pas être changées</translation>
+    </message>
+    <message>
+        <source>Ready. Plan sequence (%1) is for all parts, Find path (%2) for the moving part.</source>
+        <translation>Prêt. Planifier la séquence (%1)&#xa0;: toutes les pièces&#xa0;; Chercher un chemin (%2)&#xa0;: la pièce mobile.</translation>
     </message>
 </context>
 <context>
