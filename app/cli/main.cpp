@@ -69,13 +69,12 @@ void addAcceptClashes(const ParsedCommand& command, FitOptions& options) {
   command.length(
       "--accept-clashes",
       [&options, command](double overlap) {
-        if (overlap < 0.0) {
-          throw CLI::ValidationError("--accept-clashes",
-                                     command.text(GLISSADE_TEXT("is below zero: give a length, as 1.5mm")));
-        }
+        const Message below = GLISSADE_TEXT("is below zero: give a length, as 1.5mm");
+        if (overlap < 0.0) throw CLI::ValidationError("--accept-clashes", command.text(below));
         options.acceptedClash = overlap;
       },
-      GLISSADE_TEXT("Take clashes up to this overlap as fits, as 1.5mm"));
+      GLISSADE_TEXT("Take clashes up to this overlap as fits, as 1.5mm; advised: each clash by its own overlap"),
+      ParsedCommand::NamedLength{"advised", kAdvisedClashes});
   command.option(
       "--cut", options.cut,
       GLISSADE_TEXT("In accepted clashes, the body that is cut where it is not clear which of the two has the hole"));

@@ -80,6 +80,11 @@ int runNew(const NewOptions& options) {
   auto scenario = scenarioOfParts(parts, &read);
   if (!scenario) return reportError(scenario.error(), options.console);
   if (const Outcome left = leaveOut(options, *scenario); !left) return reportError(left.error(), options.console);
+  if (options.fits.acceptedClash == kAdvisedClashes) {
+    return reportError({ErrorKind::Usage, "", "--accept-clashes", GLISSADE_TEXT("'advised' is not kept in a scenario"),
+                        GLISSADE_TEXT("Give a length, as 1.5mm.")},
+                       options.console);
+  }
   options.fits.applyTo(scenario->fits);
   const auto loaded = loadGeometry(*scenario, ".", "", read);
   if (!loaded) return reportError(loaded.error(), options.console);

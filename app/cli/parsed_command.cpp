@@ -32,9 +32,11 @@ ParsedCommand ParsedCommand::subcommand(const std::string& name, const Message& 
 }
 
 CLI::Option* ParsedCommand::length(const std::string& name, const std::function<void(double)>& take,
-                                   const Message& help) const {
-  return optionFor<std::string>(
-      name, [take, language = language_](const std::string& text) { take(metres(text, language)); }, help);
+                                   const Message& help, const std::optional<NamedLength>& named) const {
+  const auto takeText = [take, named, language = language_](const std::string& text) {
+    take(named && text == named->word ? named->metres : metres(text, language));
+  };
+  return optionFor<std::string>(name, takeText, help);
 }
 
 ParsedCommand commandLine(CLI::App& app, Language language, const std::string& version) {

@@ -2,6 +2,7 @@
 
 #include <CLI/App.hpp>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "engine/base/message.h"
@@ -27,8 +28,14 @@ class ParsedCommand {
                          const Message& help) const {
     return app_->add_option_function<T>(name, take, text(help));
   }
-  /// An option with a length as people write it, which `take` receives in metres.
-  CLI::Option* length(const std::string& name, const std::function<void(double)>& take, const Message& help) const;
+  /// A word that stands for a length, metres.
+  struct NamedLength {
+    std::string word;
+    double metres = 0.0;
+  };
+  /// An option with a length as people write it, which `take` receives in metres; or with the named one.
+  CLI::Option* length(const std::string& name, const std::function<void(double)>& take, const Message& help,
+                      const std::optional<NamedLength>& named = {}) const;
   CLI::Option* flag(const std::string& name, bool& value, const Message& help) const {
     return app_->add_flag(name, value, text(help));
   }

@@ -328,10 +328,17 @@ std::optional<Diagnostic> writeFiles(const PlanOptions& options, const LoadedSce
   return std::nullopt;
 }
 
+/// The end of a run, whose error names the file where it is about a place in the scenario.
+SessionSnapshot withFile(SessionSnapshot end, const std::string& file) {
+  if (end.problem && !end.problem->location.empty()) end.problem->file = file;
+  return end;
+}
+
 }  // namespace
 
-int deliver(const PlanOptions& options, const LoadedScenario& scenario, const SessionSnapshot& end,
+int deliver(const PlanOptions& options, const LoadedScenario& scenario, const SessionSnapshot& ended,
             const StopToken& stop) {
+  const SessionSnapshot end = withFile(ended, scenario.file);
   const std::optional<Diagnostic> notWritten = writeFiles(options, scenario, end);
 
   const CollisionWorld& world = *scenario.problem.world;

@@ -495,6 +495,17 @@ int deliver(const AssemblyPlan& plan, const ProductFile& loaded, const SequenceO
   return exitCodeOf(plan, !conditions.empty(), loaded.missing);
 }
 
+/// Prints each pair whose clash is accepted, with its depth.
+void printAcceptedClashes(const ProductFits& fits, const AssembledProduct& product, const Console& console) {
+  if (console.json) return;
+  for (const Contact& contact : fits.contacts()) {
+    const Fit* clash = fits.acceptedClashOf(contact.a, contact.b);
+    if (clash == nullptr) continue;
+    console.print({GLISSADE_TEXT("accepted clash: '%1' and '%2', %3"),
+                   {product.bodies[contact.a].shown(), product.bodies[contact.b].shown(), Depth{clash->overlap}}});
+  }
+}
+
 }  // namespace
 
 int runSequence(const SequenceOptions& options) {
@@ -559,6 +570,7 @@ int runSequence(const SequenceOptions& options) {
   } else {
     request.joints = &found->joints;
     reportWarnings(found->fits.warnings(), options.console);
+    if (options.fits.acceptedClash == kAdvisedClashes) printAcceptedClashes(found->fits, product, options.console);
     reportWarnings(warningsOf(findAlternatives(product.bodies, stop), product.bodies), options.console);
     if (!options.out.empty()) host.keepIn(options, deflection);
   }

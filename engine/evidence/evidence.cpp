@@ -236,11 +236,10 @@ double inMicrometresUp(double metres) {
   return std::max(0.0, std::ceil(metres * 1e6 - kRounding)) * 1e-6;
 }
 
-/// True if an overlap of this depth in a pair of this thickness is a clash that nobody has accepted.
-bool isClash(double overlap, double thickness, const FitWords& fits, const PairWord* word) {
+/// True if an overlap of this depth in a pair of this thickness is a clash, whatever a person accepts.
+bool isClash(double overlap, double thickness, const PairWord* word) {
   if (overlap <= kClashOverlap && overlap <= kClashShare * thickness) return false;
-  const bool said = word != nullptr && (word->allowance || (!word->kind.empty() && word->kind != "clash"));
-  return !said && !fits.accepts(word, overlap);
+  return word == nullptr || (!word->allowance && (word->kind.empty() || word->kind == "clash"));
 }
 
 }  // namespace
@@ -313,9 +312,12 @@ PairBounds boundsOf(const MeasuredBody& one, const MeasuredBody& other, const Fi
       std::max({one.measured.overlap.thickness, other.measured.overlap.thickness, isRound ? 2.0 * round.radius : 0.0});
   const bool isThread = isRound && isCoreOfThread(round.radius, round.depth);
   if (isThread) bounds.one.share = bounds.other.share = kThreadShare;
-  if (!isThread && isClash(ofOne, thickness, fits, word)) refuseClash(bounds.one);
-  if (!isThread && isClash(ofOther, thickness, fits, word)) refuseClash(bounds.other);
   bounds.depth = inMicrometresUp(std::min(ofOne, ofOther));
+  const auto isRefused = [&](double overlap) {
+    return !isThread && isClash(overlap, thickness, word) && !fits.accepts(word, overlap, bounds.depth);
+  };
+  if (isRefused(ofOne)) refuseClash(bounds.one);
+  if (isRefused(ofOther)) refuseClash(bounds.other);
   const bool isStated = word != nullptr && (word->allowance || !word->kind.empty() || word->accepted);
   bounds.isPlainOverlap = !isStated && !isThread && bounds.depth > off + round.depth;
   bounds.isRefused = bounds.one.most <= 0.0 && bounds.other.most <= 0.0 &&

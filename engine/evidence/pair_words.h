@@ -9,6 +9,7 @@
 #include "engine/base/message.h"
 #include "engine/geometry/pose.h"
 #include "engine/model/body_id.h"
+#include "engine/model/fit_options.h"
 
 namespace glissade::evidence {
 
@@ -58,9 +59,10 @@ struct FitWords {
   /// The statement by which the pair may come apart without a turn, for people; empty: none.
   Message partingOf(const BodyId& a, const BodyId& b) const;
   /// True if a person accepts a clash of this depth, metres, to a nanometre. `word`: the statement about the pair, or
-  /// null.
-  bool accepts(const PairWord* word, double depth) const {
-    return (acceptedClash > 0.0 && depth <= acceptedClash + 1e-9) || (word != nullptr && word->accepted);
+  /// null. `advised`: the depth that is advised for the pair; nothing: `depth`.
+  bool accepts(const PairWord* word, double depth, std::optional<double> advised = {}) const {
+    const double most = acceptedClash == kAdvisedClashes ? advised.value_or(depth) : acceptedClash;
+    return (most > 0.0 && depth <= most + 1e-9) || (word != nullptr && word->accepted);
   }
 };
 

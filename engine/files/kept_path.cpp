@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "engine/files/kept_path_proof.h"
-#include "engine/files/run_record.h"
 #include "engine/files/scenario.h"
 #include "engine/files/scenario_bodies.h"
 #include "engine/planning/coarse/prohibitions.h"
@@ -40,7 +39,7 @@ KeptPath keptPath(const std::string& name, const Path& path, const PathProvenanc
   for (const Fit& fit : scenario.fits.allowed) {
     if (fit.allowance > 0.0) kept.allowances.push_back(static_cast<const Allowance&>(fit));
   }
-  kept.problemSha256 = problemSha256(scenario.scenario);
+  kept.problemSha256 = scenario.problemSha256;
   kept.points = path.points;
   return kept;
 }

@@ -23,7 +23,7 @@ struct KeptPath {
   double clearance = -1.0;            ///< smallest distance to any body, metres; below 0: no body was near
   double provedClearance = 0.0;       ///< proved clearance, metres
   std::vector<Allowance> allowances;  ///< files have bodies, amounts, `yields` and `hollow` of them only
-  std::string problemSha256;          ///< problemSha256() of the scenario for which it was proved
+  std::string problemSha256;          ///< of the problem for which it was proved
   std::vector<PathPoint> points;      ///< at least one
 };
 /// Shared by the document, the undo stack and files; never changed.

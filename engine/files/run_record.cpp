@@ -6,7 +6,6 @@
 
 #include "engine/base/file.h"
 #include "engine/files/run_record_json.h"
-#include "engine/files/scenario_file.h"
 #include "engine/import/json_checksum.h"
 
 namespace glissade {
@@ -55,34 +54,13 @@ std::string findScenario(const std::string& named, const std::string& recordFile
 
 }  // namespace
 
-std::string problemSha256(const Scenario& scenario) {
-  Scenario problem = scenario;
-  setSemanticEdits({}, problem);
-  const Scenario usual;
-  problem.name = problem.description = "";
-  problem.wayPoints.clear();
-  problem.planner = usual.planner;
-  problem.parameters.clear();
-  problem.seed = usual.seed;
-  problem.paths.clear();
-  problem.forbiddenRegions.clear();
-  problem.plan.reset();
-  problem.leftOut.clear();
-  problem.sequence = {};
-  for (Asset& asset : problem.assets) {
-    asset.path = fs::path(asset.path).filename().string();  // the scenario may have been saved elsewhere since
-    asset.sha256.clear();  // the hashes of the assets that were used are compared separately
-  }
-  return sha256(scenarioText(problem));
-}
-
 Result<RunRecord> makeRunRecord(const LoadedScenario& scenario, RunLog log) {
   RunRecord record;
   record.program = std::string("Glissade ") + kVersion;
   record.build = kBuild;
   std::error_code ignored;
   record.scenario = fs::absolute(scenario.file, ignored).lexically_normal().string();
-  record.problemSha256 = problemSha256(scenario.scenario);
+  record.problemSha256 = scenario.problemSha256;
   for (const Asset& asset : scenario.scenario.assets) {
     const auto hash = assetSha256(asset, scenario.file);
     if (!hash) return hash.error();

@@ -31,7 +31,7 @@ struct RunRecord {
   std::string program;        ///< for example "Glissade 0.1.0"
   std::string build;          ///< compiler, processor, flags
   std::string scenario;       ///< the scenario's file; in the record relative to the record's folder
-  std::string problemSha256;  ///< problemSha256(scenario); empty in version 1
+  std::string problemSha256;  ///< of the problem that was planned; empty in version 1
   std::vector<AssetHash> assets;
   std::map<ParameterId, double> parameters;  ///< parameters at the start
   RunLog log;                                ///< replayLog() sets its start.parameters
@@ -46,11 +46,6 @@ nlohmann::ordered_json runRecordSchema();
 
 /// Replaces the run by another run of the same scenario.
 void setLog(RunLog log, RunRecord& record);
-
-/// SHA-256 of a scenario's planning problem: bodies, object, start, goal, workspace, environment, fits and rules. It
-/// excludes what a record holds itself (edits, planner, parameters, seed), and what does not change the problem of the
-/// object: name, description, way points, kept paths, the plan, its demands, and bodies that are left out.
-std::string problemSha256(const Scenario& scenario);
 
 /// Saves a record of version 2 with a checksum, atomically.
 SaveResult writeRunRecord(const RunRecord& record, const std::string& file);

@@ -1,4 +1,5 @@
 #include "engine/files/run_record.h"
+#include "engine/files/same_problem.h"
 #include "engine/files/scenario_bodies.h"
 #include "engine/files/scenario_io.h"
 #include "engine/planning/planner.h"
@@ -11,7 +12,7 @@ constexpr CatalogueText kOtherScenario =
 
 Outcome checkScenario(const RunRecord& record, const LoadedScenario& scenario, const std::string& file) {
   if (record.version == 1) return Done{};
-  if (record.problemSha256 != problemSha256(scenario.scenario)) {
+  if (!isRecordOf(record, scenario)) {
     return Diagnostic{ErrorKind::Usage,
                       file,
                       "/problem_sha256",

@@ -109,6 +109,7 @@ struct LoadedScenario {
   ObjectFits fits;                 ///< empty where the scenario's fits are off
   bool fitsPending = false;        ///< fits are on and not found yet, so that the object is not thinned
   std::map<MeshPtr, bool> closed;  ///< states whether a mesh of the bodies or the object is a closed surface
+  std::string problemSha256;       ///< problemSha256(scenario); it follows each edit of the scenario
   Problem problem;                 ///< the problem, in whose world the object is thinned as the fits allow
   ParameterValues parameters{1.0};
   Warnings warnings;

@@ -10,6 +10,7 @@
 #include "engine/files/default_colour.h"
 #include "engine/files/object_geometry.h"
 #include "engine/files/part_files.h"
+#include "engine/files/same_problem.h"
 #include "engine/files/scenario.h"
 #include "engine/files/scenario_bodies.h"
 #include "engine/files/scenario_file.h"
@@ -376,6 +377,7 @@ Result<LoadedScenario> loadGeometry(Scenario scenario, const std::string& folder
   const Outcome parameters = applyParameters(scenario, file, loaded.parameters);
   if (!parameters) return parameters.error();
   loaded.scenario = std::move(scenario);
+  loaded.problemSha256 = problemSha256(loaded.scenario);
   const bool later = fits == FindFits::LaterIfLarge && !loaded.problem.world->isPrepared();
   if (loaded.scenario.fits.on && later) {
     loaded.fitsPending = true;

@@ -6,6 +6,9 @@
 
 namespace glissade {
 
+/// Accepts each clash by the depth that is advised for it, metres: no product has one as deep.
+inline constexpr double kAdvisedClashes = 1e9;
+
 /// The options of the command line about all fits. They have priority over the file.
 struct FitOptions {
   std::optional<bool> on{};

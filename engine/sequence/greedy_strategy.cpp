@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "engine/fits/liaison_graph.h"
 #include "engine/sequence/plan_steps.h"
 #include "engine/sequence/sequence_strategy.h"
 #include "engine/sequence/step_precedence.h"
@@ -44,9 +43,9 @@ std::vector<BodyGroup> assembliesThere(const SequenceQuestion& question, const B
 /// The clusters of the bodies that are there at the beginning (LiaisonGraph::clusters()), without those that are one
 /// unit of the rules, or the whole of what is there.
 std::vector<BodyGroup> clustersOf(const SequenceQuestion& question) {
-  if (question.joints == nullptr) return {};
+  if (question.joints == nullptr || question.liaisons == nullptr) return {};
   const BodySet there = question.initial();
-  std::vector<BodyGroup> clusters = LiaisonGraph(there.size(), {}, question.joints->joints()).clusters();
+  std::vector<BodyGroup> clusters = question.liaisons->clusters();
   std::erase_if(clusters, [&](const BodyGroup& cluster) {
     const bool isWhole = std::all_of(cluster.begin(), cluster.end(), [&](std::size_t body) {
       const BodyGroup unit = unitOf(body, question.rules);

@@ -9,15 +9,6 @@
 namespace glissade {
 namespace {
 
-const Joints& jointsOf(const SequenceQuestion& question) {
-  static const Joints kNone;
-  return question.joints == nullptr ? kNone : question.joints->joints();
-}
-
-std::vector<Contact> contactsOf(const SequenceQuestion& question) {
-  return question.fits == nullptr ? std::vector<Contact>() : question.fits->contacts();
-}
-
 bool isAnyThere(const std::vector<std::size_t>& bodies, const BodySet& there) {
   return std::any_of(bodies.begin(), bodies.end(), [&](std::size_t body) { return there[body]; });
 }
@@ -27,18 +18,20 @@ bool isWhole(const Joint& joint, const BodySet& there) { return there[joint.body
 
 }  // namespace
 
-Holding::Holding(const SequenceQuestion& question)
-    : question_(question), graph_(question.product.bodies.size(), contactsOf(question), jointsOf(question)) {
-  for (const Joint& joint : jointsOf(question)) {
-    if (isScrewed(joint.kind) || joint.kind == JointKind::Pin) fastening_.push_back(&joint);
+Holding::Holding(const SequenceQuestion& question) : question_(question), initial_(question.initial()) {
+  if (question.joints != nullptr) {
+    for (const Joint& joint : question.joints->joints()) {
+      if (isScrewed(joint.kind) || joint.kind == JointKind::Pin) fastening_.push_back(&joint);
+    }
   }
-  joined_ = bodiesIn(joinedToBase(question.initial()));
+  joined_ = bodiesIn(joinedToBase(initial_));
 }
 
 bool Holding::isInAir(const BodyGroup& group, const BodySet& remaining) const {
-  return !graph_.liaisons().empty() && std::none_of(group.begin(), group.end(), [&](std::size_t body) {
-    return isAnyThere(graph_.neighboursOf(body), remaining);
-  });
+  const LiaisonGraph* graph = question_.liaisons;
+  if (graph == nullptr || graph->liaisons().empty()) return false;
+  return std::none_of(group.begin(), group.end(),
+                      [&](std::size_t body) { return isAnyThere(graph->neighboursOf(body), remaining); });
 }
 
 std::size_t Holding::unfastened(const BodySet& remaining) const {
@@ -49,10 +42,9 @@ std::size_t Holding::unfastened(const BodySet& remaining) const {
 
 std::size_t Holding::openStacks(const BodySet& remaining) const {
   if (question_.joints == nullptr) return 0;
-  const BodySet initial = question_.initial();
   const std::vector<BodyGroup>& stacks = question_.joints->stacks();
   return static_cast<std::size_t>(std::count_if(stacks.begin(), stacks.end(), [&](const BodyGroup& stack) {
-    const auto hasLeft = [&](std::size_t body) { return initial[body] && !remaining[body]; };
+    const auto hasLeft = [&](std::size_t body) { return initial_[body] && !remaining[body]; };
     return isAnyThere(stack, remaining) && std::any_of(stack.begin(), stack.end(), hasLeft);
   }));
 }

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "engine/fits/liaison_graph.h"
 #include "engine/sequence/sequence_strategy.h"
 
 namespace glissade {
@@ -26,7 +25,7 @@ class Holding {
   BodySet joinedToBase(const BodySet& there) const;
 
   const SequenceQuestion& question_;
-  LiaisonGraph graph_;
+  BodySet initial_;                      ///< bodies that are there at the beginning
   std::vector<const Joint*> fastening_;  ///< screws, nuts, threads and pins
   BodyGroup joined_;                     ///< bodies that are joined to the base at the beginning
 };

@@ -68,13 +68,12 @@ Result<Joints> jointsOf(const ProductShapes& shapes, const SequenceRequest& requ
 }
 
 /// The bodies that a person fixes as base; else one that suits.
-BodySet fixedBodies(const AssembledProduct& product, const ProductFits& fits, const SequenceRequest& request,
+BodySet fixedBodies(const AssembledProduct& product, const LiaisonGraph& liaisons, const SequenceRequest& request,
                     const JointRules& joints, const std::vector<FastenerKind>& fasteners) {
   BodySet fixed = request.staying;
   if (std::find(fixed.begin(), fixed.end(), true) != fixed.end()) return fixed;
-  const LiaisonGraph graph(product.bodies.size(), fits.contacts(), joints.joints());
   const BodySet all(product.bodies.size(), true);
-  fixed[baseOf(product, all, graph, joints.joints(), fasteners, request.demands.gravity)] = true;
+  fixed[baseOf(product, all, liaisons, joints.joints(), fasteners, request.demands.gravity)] = true;
   return fixed;
 }
 
@@ -120,7 +119,8 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
   auto found = jointsOf(shapes, request, threads, host.stopToken());
   if (!found) return found.error();
   const JointRules joints(std::move(*found), product, fasteners);
-  const BodySet staying = withJoined(fixedBodies(product, fits, request, joints, fasteners), joints.bonded());
+  const LiaisonGraph liaisons(product.bodies.size(), fits.contacts(), joints.joints());
+  const BodySet staying = withJoined(fixedBodies(product, liaisons, request, joints, fasteners), joints.bonded());
   joinUnits(joints.bonded(), product, *rules);
   const Outcome places = checkPlaces(product, *rules, staying);
   if (!places) return places.error();
@@ -136,20 +136,11 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
   const JointRules* counting = joints.joints().empty() ? nullptr : &joints;
   MotionTrial motions(product, fits, request.seed, MotionTrial::kMostSearches, rules->forbidden, counting, &threads);
   DemandingTrial trial(motions, *rules, product, request.known, counting);
-  const SequenceQuestion question{product,
-                                  staying,
-                                  request.seed,
-                                  trial,
-                                  request.resumed,
-                                  *rules,
-                                  fasteners,
-                                  &standing,
-                                  fragileBodies(product, request.demands),
-                                  *tools,
-                                  &*cost,
-                                  counting,
-                                  {},
-                                  &fits};
+  const SequenceQuestion question{product,   staying,         request.seed,
+                                  trial,     request.resumed, *rules,
+                                  fasteners, &standing,       fragileBodies(product, request.demands),
+                                  *tools,    &*cost,          counting,
+                                  {},        &fits,           &liaisons};
   SavableHost savable(request, host);
   AssemblyPlan plan = strategy->make()->plan(question, savable);
   // A plan in which every body stays takes nothing apart. The judge does not call it complete.

@@ -8,6 +8,7 @@
 
 #include "engine/base/message.h"
 #include "engine/base/thread_team.h"
+#include "engine/fits/liaison_graph.h"
 #include "engine/sequence/assembly_plan.h"
 #include "engine/sequence/joint_rules.h"
 #include "engine/sequence/order_rules.h"
@@ -27,14 +28,15 @@ struct SequenceQuestion {
   RemovalTrial& trial;
   const AssemblyPlan* resumed = nullptr;  ///< an unfinished plan of the same product, seed and strategy; or null
   OrderRules rules{};
-  std::vector<FastenerKind> fasteners{};  ///< kind of each body; empty: not known
-  Standing* standing = nullptr;           ///< null: support is not checked
-  std::vector<bool> fragile{};            ///< one entry for each body; empty: no body is fragile
-  ToolChoices tools{};                    ///< tools for each body; empty: not known
-  const StepCost* cost = nullptr;         ///< cost for best-first; null: the usual one
-  const JointRules* joints = nullptr;     ///< null: there are none
-  BodySet there{};                        ///< bodies that are there at the beginning; empty: all
-  const ProductFits* fits = nullptr;      ///< fits that motions rely on; null: not known
+  std::vector<FastenerKind> fasteners{};   ///< kind of each body; empty: not known
+  Standing* standing = nullptr;            ///< null: support is not checked
+  std::vector<bool> fragile{};             ///< one entry for each body; empty: no body is fragile
+  ToolChoices tools{};                     ///< tools for each body; empty: not known
+  const StepCost* cost = nullptr;          ///< cost for best-first; null: the usual one
+  const JointRules* joints = nullptr;      ///< null: there are none
+  BodySet there{};                         ///< bodies that are there at the beginning; empty: all
+  const ProductFits* fits = nullptr;       ///< fits that motions rely on; null: not known
+  const LiaisonGraph* liaisons = nullptr;  ///< what holds the bodies to each other; null: not known
 
   BodySet initial() const { return there.empty() ? BodySet(product.bodies.size(), true) : there; }
 };

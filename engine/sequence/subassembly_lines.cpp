@@ -47,10 +47,10 @@ BodyGroup unitIn(std::size_t body, const JointRules* joints) {
 
 /// The base of a group, which a worker may hold in any pose.
 std::size_t baseIn(const BodySet& there, const SequenceQuestion& question) {
-  const std::vector<Contact> contacts = question.fits == nullptr ? std::vector<Contact>() : question.fits->contacts();
   const Joints joints = question.joints == nullptr ? Joints() : question.joints->joints();
-  return baseOf(question.product, there, LiaisonGraph(there.size(), contacts, joints), joints, question.fasteners,
-                Vector3::Zero());
+  const LiaisonGraph& liaisons =
+      question.liaisons != nullptr ? *question.liaisons : LiaisonGraph(there.size(), {}, joints);
+  return baseOf(question.product, there, liaisons, joints, question.fasteners, Vector3::Zero());
 }
 
 /// Demands on places and on groups that leave together concern the whole product, and do not hold in a line.
@@ -85,7 +85,8 @@ SequenceQuestion questionOf(const BodyGroup& group, const SequenceQuestion& ques
           question.cost,
           question.joints,
           there,
-          question.fits};
+          question.fits,
+          question.liaisons};
 }
 
 SubassemblyLine lineOf(const BodyGroup& group, const SequenceQuestion& question, RemovalTrial& trial,

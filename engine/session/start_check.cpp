@@ -83,19 +83,30 @@ Outcome checkConfiguration(const Problem& problem, CollisionQuery& query, const 
 
 }  // namespace
 
+Outcome checkMilestone(const Problem& problem, CollisionQuery& query, const Pose& q) {
+  if (!problem.bounds.contains(q.position)) {
+    return Diagnostic{ErrorKind::MalformedInput, "", "", GLISSADE_TEXT("the milestone lies outside the workspace"),
+                      GLISSADE_TEXT("Put it inside, enlarge the workspace, or remove it.")};
+  }
+  const auto body = query.collidingBody(q);
+  if (!body) return Done{};
+  const Message reason = *body == kForbiddenPlace
+                             ? forbiddenAt(problem, q, true)
+                             : Message(GLISSADE_TEXT("the milestone is in collision with '%1'"),
+                                       {problem.world->obstacles()[static_cast<std::size_t>(*body)].shown()});
+  return Diagnostic{ErrorKind::NoPath, "", "", reason, GLISSADE_TEXT("Put it where the object is free, or remove it.")};
+}
+
 Outcome checkMilestones(const Problem& problem) {
   if (!problem.scene.edits || problem.scene.edits->milestones.empty()) return Done{};
   const auto query = problem.world->makeQuery();
   const auto& milestones = problem.scene.edits->milestones;
   for (std::size_t i = 0; i < milestones.size(); ++i) {
-    const auto body = query->collidingBody(milestones[i].q);
-    if (!body) continue;
-    const Message reason = *body == kForbiddenPlace
-                               ? forbiddenAt(problem, milestones[i].q, true)
-                               : Message(GLISSADE_TEXT("the milestone is in collision with '%1'"),
-                                         {problem.world->obstacles()[static_cast<std::size_t>(*body)].shown()});
-    return Diagnostic{ErrorKind::NoPath, "", "/milestones/" + std::to_string(i), reason,
-                      GLISSADE_TEXT("Put it where the object is free, or remove it.")};
+    const Outcome sound = checkMilestone(problem, *query, milestones[i].q);
+    if (sound) continue;
+    Diagnostic why = sound.error();
+    why.location = "/milestones/" + std::to_string(i);
+    return why;
   }
   return Done{};
 }

@@ -3380,10 +3380,6 @@
         <translation>est inférieur à zéro&#xa0;: donnez une longueur, comme 1.5mm</translation>
     </message>
     <message>
-        <source>Take clashes up to this overlap as fits, as 1.5mm</source>
-        <translation>Prendre les interférences jusqu&apos;à ce recouvrement pour des ajustements, comme 1.5mm</translation>
-    </message>
-    <message>
         <source>In accepted clashes, the body that is cut where it is not clear which of the two has the hole</source>
         <translation>Dans les interférences acceptées, le corps qui est découpé lorsqu&apos;on ne sait pas lequel des deux a le trou</translation>
     </message>
@@ -4608,14 +4604,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>measuring a clearance</source>
         <translation>mesure d&apos;un jeu</translation>
-    </message>
-    <message>
-        <source>the milestone would be in collision with &apos;%1&apos;</source>
-        <translation>le jalon serait en collision avec «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>Drop it where the object is free.</source>
-        <translation>Lâchez-le là où l&apos;objet est libre.</translation>
     </message>
     <message>
         <source>the report of a path is written as .html or .pdf</source>
@@ -11596,6 +11584,14 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <translation>Écrire le graphe des liaisons en CSV ou en JSON</translation>
     </message>
     <message>
+        <source>the milestone lies outside the workspace</source>
+        <translation>le jalon est hors de l&apos;espace de travail</translation>
+    </message>
+    <message>
+        <source>Put it inside, enlarge the workspace, or remove it.</source>
+        <translation>Placez-le à l&apos;intérieur, agrandissez l&apos;espace de travail ou enlevez-le.</translation>
+    </message>
+    <message>
         <source>&apos;%1&apos; is cut, because its clash with &apos;%2&apos; (%3) is accepted; if &apos;%2&apos; is the one to cut, name it (--cut &quot;%2&quot;)</source>
         <translation>«&#xa0;%1&#xa0;» est découpée, car son interférence avec «&#xa0;%2&#xa0;» (%3) est acceptée&#xa0;; si c&apos;est «&#xa0;%2&#xa0;» qu&apos;il faut découper, nommez-la (--cut &quot;%2&quot;)</translation>
     </message>
@@ -11606,6 +11602,22 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>no motion was found: %1</source>
         <translation>aucun mouvement n&apos;a été trouvé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Take clashes up to this overlap as fits, as 1.5mm; advised: each clash by its own overlap</source>
+        <translation>Prendre pour des ajustements les interférences jusqu&apos;à ce recouvrement, par exemple 1.5mm&#xa0;; advised&#xa0;: chaque interférence pour son propre recouvrement</translation>
+    </message>
+    <message>
+        <source>&apos;advised&apos; is not kept in a scenario</source>
+        <translation>«&#xa0;advised&#xa0;» n&apos;est pas conservé dans un scénario</translation>
+    </message>
+    <message>
+        <source>Give a length, as 1.5mm.</source>
+        <translation>Donnez une longueur, par exemple 1.5mm.</translation>
+    </message>
+    <message>
+        <source>accepted clash: &apos;%1&apos; and &apos;%2&apos;, %3</source>
+        <translation>interférence acceptée&#xa0;: «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;», %3</translation>
     </message>
 </context>
 <context>
@@ -13509,6 +13521,10 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <source>The places cannot be found</source>
         <translation>Les lieux ne peuvent pas être trouvés</translation>
     </message>
+    <message>
+        <source>The milestone was not moved</source>
+        <translation>Le jalon n&apos;a pas été déplacé</translation>
+    </message>
 </context>
 <context>
     <name>glissade::ExportDialog</name>
@@ -14233,8 +14249,8 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <translation>Graine</translation>
     </message>
     <message>
-        <source>Computer share now</source>
-        <translation>Part actuelle de l&apos;ordinateur</translation>
+        <source>Tried last</source>
+        <translation>Dernier essai</translation>
     </message>
     <message>
         <source>computer</source>
@@ -16296,6 +16312,10 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>The rules cannot be changed</source>
         <translation>Les règles ne peuvent pas être changées</translation>
+    </message>
+    <message>
+        <source>Ready. Plan sequence (%1) is for all parts, Find path (%2) for the moving part.</source>
+        <translation>Prêt. Planifier la séquence (%1)&#xa0;: toutes les pièces&#xa0;; Chercher un chemin (%2)&#xa0;: la pièce mobile.</translation>
     </message>
 </context>
 <context>

@@ -530,6 +530,20 @@ TEST_F(Cli, InfoListsTheAssembliesAndTheBodiesOfAGroup) {
   EXPECT_NE(wrong.err.find("/product/0/id"), std::string::npos) << wrong.err;
 }
 
+TEST_F(Cli, AMilestoneOutsideOfTheWorkspaceIsOneErrorWithItsFile) {
+  const std::string edited = scenario([](Json& json) {
+    Json pose = json["goal"];
+    pose["position"] = {50, 0, 0};
+    json["milestones"] = {{{"at", {1, 1, 0.3}}, {"pose", pose}}};
+    json["planner"] = "gts";
+  });
+  const Finished run = this->run("plan " + edited);
+  EXPECT_EQ(run.exitCode, 3);
+  EXPECT_NE(run.err.find(edited + ": /milestones/0: the milestone lies outside the workspace. Put it inside"),
+            std::string::npos)
+      << run.err;
+}
+
 TEST_F(Cli, AnEditOfNoPlaceIsWarnedOfAndChangesNothingElse) {
   const std::string edited = scenario([](Json& json) {
     json["places"] = {{{"at", {5, 5, 5}}, {"attributes", {{"preference", 2.0}}}}};

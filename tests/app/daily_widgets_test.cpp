@@ -130,6 +130,16 @@ TEST(StrategyUse, AHandTakesPartInTheAutomaticStrategy) {
     EXPECT_EQ(strategyWithHand(chosen, "hand"), chosen);
 }
 
+TEST(StrategyUse, APersonLeadsWhereTheStrategyFollowsTheirHand) {
+  for (const char* led : {"by-hand", "contact-birrt", "interactive-birrt", "interactive"}) {
+    EXPECT_TRUE(isLedByPerson(led, "hand")) << led;
+    EXPECT_TRUE(isLedByPerson(led, "keyboard")) << led;
+    for (const char* simulated : {"expert", "simulated-haptic", "none"})
+      EXPECT_FALSE(isLedByPerson(led, simulated)) << led;
+  }
+  for (const char* computer : {"auto", "birrt", "gt", "gts"}) EXPECT_FALSE(isLedByPerson(computer, "hand")) << computer;
+}
+
 TEST(CommandPalette, FindsByPartsOfANameAndCarriesOut) {
   QObject parent;
   ActionCatalogue actions(windowActions(), &parent);

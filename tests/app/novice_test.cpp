@@ -2,7 +2,8 @@
 // keys to hold. Needs a display and xdotool, which sends the keys (xvfb_novice.sh).
 //
 // GLISSADE_NOVICES: number of the novices that solve each environment, each with a seed of its own. Without it a novice
-// only begins environment 1. GLISSADE_NOVICE_TRACE: the hints are written to standard error.
+// only begins environment 1. GLISSADE_NOVICE_STRATEGY: another strategy than "by-hand". GLISSADE_NOVICE_TRACE: the
+// hints are written to standard error.
 #include <gtest/gtest.h>
 
 #include <QApplication>
@@ -205,7 +206,8 @@ std::unique_ptr<MainWindow> openWindow(const std::string& environment, std::uint
   EXPECT_TRUE(QTest::qWaitForWindowExposed(window.get()));
   SessionBridge& session = window->workbench().session;
   session.setDevice("hand");
-  session.post(command::SetPlanner{"by-hand"});
+  const char* strategy = std::getenv("GLISSADE_NOVICE_STRATEGY");
+  session.post(command::SetPlanner{strategy != nullptr ? strategy : "by-hand"});
   session.post(command::SetSeed{seed});
   return window;
 }

@@ -60,10 +60,9 @@ class WholeWindowTest : public testing::TestWithParam<const char*> {
     QApplication::setPalette(usual_);
   }
 
-  std::unique_ptr<MainWindow> makeWindow() {
+  std::unique_ptr<MainWindow> makeWindow(SessionClock clock = SessionClock::Lockstep) {
     setFontPoints(Preferences{}.fontPoints);
-    auto window =
-        std::make_unique<MainWindow>([](QWidget*) { return std::make_unique<UnseenScene>(); }, SessionClock::Lockstep);
+    auto window = std::make_unique<MainWindow>([](QWidget*) { return std::make_unique<UnseenScene>(); }, clock);
     window->setBatch(true);
     window->setTheme(Theme::Light);
     window->resize(1280, 720);

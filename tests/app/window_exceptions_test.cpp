@@ -185,10 +185,13 @@ class SessionExceptions : public testing::TestWithParam<SessionClock> {};
 /// If making a session fails anywhere, a snapshot says so, and the next call makes the session.
 TEST_P(SessionExceptions, OfMakingASessionAreToldAndTheNextCallMakesIt) {
   const auto scenario = std::make_shared<const LoadedScenario>(environment2());
+  auto renamed = std::make_shared<LoadedScenario>(*scenario);
+  renamed->scenario.bodies.front().name = "renamed";
   const command::ExaminePath path{{{scenario->problem.start, Author::Computer}}, {}};
   const std::pair<const char*, std::function<void(SessionBridge&)>> calls[] = {
       {"open", [&](SessionBridge& bridge) { bridge.open(scenario); }},
       {"rearrange", [&](SessionBridge& bridge) { bridge.rearrange(scenario); }},
+      {"rename", [&](SessionBridge& bridge) { bridge.rearrange(renamed); }},
       {"givePath", [&](SessionBridge& bridge) { bridge.givePath(path); }},
       {"setDevice", [&](SessionBridge& bridge) { bridge.setDevice(bridge.deviceId() == "hand" ? "expert" : "hand"); }},
       {"startFixed",

@@ -15,16 +15,14 @@ void RunRecorder::open(const ScenarioPtr& scenario) {
 }
 
 void RunRecorder::rearrange(const ScenarioPtr& scenario) {
-  if (scenario_ && !next_ && isSameProblem(*scenario_, *scenario)) {
-    takeJoints(scenario);
-  } else {
-    next_ = scenario;
-  }
+  if (next_ || !renew(scenario)) next_ = scenario;
 }
 
-void RunRecorder::takeJoints(const ScenarioPtr& scenario) {
-  (next_ ? next_ : scenario_) = scenario;
+bool RunRecorder::renew(const ScenarioPtr& scenario) {
+  if (!scenario_ || !isSameProblem(*scenario_, *scenario)) return false;
+  scenario_ = scenario;
   head_.reset();
+  return true;
 }
 
 bool RunRecorder::follow(const SessionSnapshot& snapshot) {

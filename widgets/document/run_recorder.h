@@ -16,11 +16,11 @@ class RunRecorder {
   /// Runs from now on are journalled in this folder.
   void keepJournals(const std::string& folder) { folder_ = folder; }
   void open(const ScenarioPtr& scenario);
-  /// Sets the scenario of the next run; the recording of the last one stays until then. Where only names of bodies
-  /// differ, the recording is about it, too.
+  /// Sets the scenario of the next run; the recording of the last one stays until then. Where the problem is the same,
+  /// the recording is about this scenario, too.
   void rearrange(const ScenarioPtr& scenario);
-  /// Takes the same scenario with other edits of joints, which no run depends on: the recording is about it, too.
-  void takeJoints(const ScenarioPtr& scenario);
+  /// Lets the recording name this scenario and its file, if it is about the same problem. False: it is not.
+  bool renew(const ScenarioPtr& scenario);
   /// Takes the snapshot into the recording. True if another run has begun.
   bool follow(const SessionSnapshot& snapshot);
 

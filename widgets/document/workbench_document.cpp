@@ -8,7 +8,7 @@
 #include "engine/base/file.h"
 #include "engine/files/asset_path.h"
 #include "engine/files/forbidden_places_of.h"
-#include "engine/files/run_record.h"
+#include "engine/files/same_problem.h"
 #include "engine/files/scenario_io.h"
 #include "widgets/controls/body_id_text.h"
 #include "widgets/document/value_command.h"
@@ -112,7 +112,7 @@ void WorkbenchDocument::open(const ScenarioPtr& scenario) {
   changeInOneRound([&] {
     scenario_ = scenario;
     geometry_ = scenario->geometry;
-    savedProblem_ = scenario->file.empty() ? std::string() : problemSha256(scenario->scenario);
+    savedProblem_ = scenario->file.empty() ? std::string() : scenario->problemSha256;
     options_ = scenario->scenario.environment;
     settings_ = {scenario->scenario.planner, scenario->scenario.seed, scenario->parameters};
     results_ = {};
@@ -392,6 +392,7 @@ void WorkbenchDocument::noteSaved(const std::string& file, const Scenario& conte
     }
     saved->parameters = settings_.parameters;
     savedProblem_ = problemSha256(content);
+    saved->problemSha256 = problemSha256(saved->scenario);
     scenario_ = std::move(saved);
     announce(Change::File);
   });
@@ -407,6 +408,6 @@ bool WorkbenchDocument::hasUnsavedEdits() const {
          (edited || options_ != scenario_->scenario.environment || settings_.strategy != scenario_->scenario.planner);
 }
 
-bool WorkbenchDocument::isProblemSaved() const { return problemSha256(scenario_->scenario) == savedProblem_; }
+bool WorkbenchDocument::isProblemSaved() const { return scenario_->problemSha256 == savedProblem_; }
 
 }  // namespace glissade

@@ -10,6 +10,7 @@
 #include "engine/files/scenario_bodies.h"
 #include "engine/places/place_identifier.h"
 #include "engine/planning/fine/coarse_preview.h"
+#include "engine/session/start_check.h"
 #include "widgets/controls/body_id_text.h"
 #include "widgets/controls/complexity_colour.h"
 #include "widgets/controls/diagnostic_text.h"
@@ -216,7 +217,7 @@ EnvironmentController::EnvironmentController(const Workbench& bench)
   connect(semantics_, &SemanticsPanel::identifierChosen, this, &EnvironmentController::identifyPlaces);
   connect(plan_, &PlanPanel::stepChosen, this, &EnvironmentController::showStep);
   connect(&milestones_, &MilestoneTool::moved, this, &EnvironmentController::drawPlan);
-  connect(&milestones_, &MilestoneTool::refused, this, &EnvironmentController::showError);
+  connect(&milestones_, &MilestoneTool::refused, this, &EnvironmentController::refuseMilestone);
   connectActions();
   enableActions();
   addEnvironmentCommands(bench, *this);
@@ -239,6 +240,10 @@ void EnvironmentController::connectActions() {
 
 void EnvironmentController::showError(const Diagnostic& why) {
   bench_.messages.showError(tr("The places cannot be found"), why);
+}
+
+void EnvironmentController::refuseMilestone(const Diagnostic& why) {
+  bench_.messages.showError(tr("The milestone was not moved"), why);
 }
 
 void EnvironmentController::followDocument(Changes what) {
@@ -445,8 +450,16 @@ void EnvironmentController::togglePreferred() {
 void EnvironmentController::setMilestone(bool here) {
   const auto step = plan_->currentStep();
   if (!step || !snapshot_ || shownPlan_->steps[*step].border < 0) return;
-  document_.setMilestone(shownPlan_->steps[*step].border,
-                         here ? std::optional<Pose>(snapshot_->device.q_device) : std::nullopt);
+  std::optional<Pose> q;
+  if (here) {
+    q = snapshot_->device.q_device;
+    const Problem& problem = bench_.document.scenario()->problem;
+    if (const Outcome sound = checkMilestone(problem, *problem.world->makeQuery(), *q); !sound) {
+      refuseMilestone(sound.error());
+      return;
+    }
+  }
+  document_.setMilestone(shownPlan_->steps[*step].border, q);
 }
 
 void EnvironmentController::enableActions() {

@@ -62,6 +62,7 @@ class EnvironmentController final : public QObject {
   void changeCellLevel(int by);
   void enableActions();
   void showError(const Diagnostic& why);
+  void refuseMilestone(const Diagnostic& why);
 
   const Workbench& bench_;
   SemanticDocument& document_;

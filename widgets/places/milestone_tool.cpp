@@ -1,5 +1,6 @@
 #include "widgets/places/milestone_tool.h"
 
+#include "engine/session/start_check.h"
 #include "widgets/workbench/scene_ray.h"
 
 namespace glissade {
@@ -59,14 +60,9 @@ void MilestoneTool::drop() {
   const int border = step.border;
   drag_.reset();
   scene_.widget()->unsetCursor();
-  const auto blocking = document_.scenario()->problem.world->makeQuery()->collidingBody(pose);
-  if (blocking) {
-    const auto& body = document_.scenario()->problem.world->obstacles()[static_cast<std::size_t>(*blocking)];
-    emit refused({ErrorKind::InCollision,
-                  "",
-                  "",
-                  {GLISSADE_TEXT("the milestone would be in collision with '%1'"), {body.id.text()}},
-                  GLISSADE_TEXT("Drop it where the object is free.")});
+  const Problem& problem = document_.scenario()->problem;
+  if (const Outcome sound = checkMilestone(problem, *problem.world->makeQuery(), pose); !sound) {
+    emit refused(sound.error());
   } else if (!(pose == before)) {
     document_.semantics().setMilestone(border, pose);
   }

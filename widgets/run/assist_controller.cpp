@@ -23,18 +23,6 @@ constexpr int kHintPeriod = 100;
 /// The share of the work that searches a whole path; the rest searches gaps.
 constexpr double kWholeWay = 0.6;
 
-bool isPerson(const std::string& deviceId) {
-  const DeviceRegistry registry = makeDeviceRegistry();
-  const DeviceEntry* entry = registry.find(deviceId);
-  return entry != nullptr && !entry->simulated;
-}
-
-bool followsHand(const std::string& strategy) {
-  const PlannerRegistry registry = makePlannerRegistry();
-  const PlannerEntry* entry = registry.find(strategy);
-  return entry != nullptr && entry->usesOperator;
-}
-
 /// The search goes on without a path, or ended without one.
 bool isStuck(const SessionSnapshot& snapshot) {
   return snapshot.run > 0 && !snapshot.path && (isRunning(snapshot) || searchFailed(snapshot));

@@ -47,7 +47,7 @@ InteractionPanel::InteractionPanel(QWidget* parent)
       device_(new ResearchBox(operators(devices_), this)),
       pace_(new PaceBox(this)),
       seed_(new SeedBox(this)),
-      authorityTitle_(new QLabel(tr("Computer share now"), this)),
+      authorityTitle_(new QLabel(tr("Tried last"), this)),
       authority_(new QLabel(this)),
       replayed_(new QLabel(tr("Replayed: as it was at this step"), this)),
       sliders_(new ParameterSliders(steeringParameters(), this)) {
@@ -68,7 +68,8 @@ InteractionPanel::InteractionPanel(QWidget* parent)
   auto* form = new QFormLayout;
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   form->setLabelAlignment(Qt::AlignLeft);
-  form->addRow(tr("Strategy"), planner_);
+  form->addRow(new QLabel(tr("Strategy"), this));  // on a row of its own, because names of strategies are long
+  form->addRow(planner_);
   form->addRow(about_);
   form->addRow(tr("Operator"), device_);
   form->addRow(tr("Pace"), pace_);

@@ -7,6 +7,7 @@
 
 #include "engine/base/number_text.h"
 #include "engine/files/run_record.h"
+#include "engine/files/same_problem.h"
 #include "engine/session/run_comparison.h"
 #include "widgets/controls/diagnostic_text.h"
 #include "widgets/controls/length_text.h"
@@ -48,7 +49,7 @@ constexpr std::uint64_t kLeastSteps = 1000;
 /// Whether the record belongs to the scenario. Records of version 1 identify their scenario only by its file.
 bool isOf(const RunRecord& record, const ScenarioPtr& scenario) {
   if (!scenario) return false;
-  if (record.version > 1) return record.problemSha256 == problemSha256(scenario->scenario);
+  if (record.version > 1) return isRecordOf(record, *scenario);
   return QFileInfo(QString::fromStdString(record.scenario)) == QFileInfo(QString::fromStdString(scenario->file));
 }
 
@@ -77,7 +78,7 @@ ReplayController::ReplayController(const Workbench& bench)
 void ReplayController::followDocument(Changes what) {
   const ScenarioPtr& scenario = bench_.document.scenario();
   if (!(what & (Change::Scenario | Change::Arrangement))) {
-    if (what & Change::Joints) recorder_.takeJoints(scenario);
+    if (what & Change::File) recorder_.renew(scenario);
     return;
   }
   close();

@@ -174,6 +174,7 @@ void RunController::updateSession(Changes what) {
   const WorkbenchDocument& document = bench_.document;
   if (what & Change::Scenario) {
     finishing_.reset();  // its settings belong to another scenario
+    ledByPerson_ = false;
     bench_.session.open(document.scenario());
   } else if (what & Change::Arrangement) {
     bench_.session.rearrange(document.scenario());
@@ -188,7 +189,7 @@ void RunController::updateSession(Changes what) {
 void RunController::takeSnapshot(const SessionSnapshot& snapshot) {
   keepSettings(snapshot);
   followFinish(snapshot);
-  followStrategy(snapshot);
+  followHand(snapshot);
   bench_.document.setResults({snapshot.path, snapshot.refused, snapshot.provenance, snapshot.smoothed});
 }
 
@@ -208,9 +209,21 @@ void RunController::showRun(const SnapshotPtr& snapshot) {
   interaction_->setSnapshot(*snapshot);
   interaction_->setDevice(bench_.session.deviceId());
   counts_->setSnapshot(*snapshot, *bench_.document.scenario());
-  status_->setText(bench_.run.isLive() ? statusText(*snapshot) : bench_.run.replayText());
+  status_->setText(bench_.run.isLive() ? stateText(*snapshot) : bench_.run.replayText());
   elapsed_->setText(snapshot->run > 0 ? elapsedText(*snapshot) : QString());
   enableActions(snapshot.get());
+}
+
+QString RunController::stateText(const SessionSnapshot& snapshot) const {
+  const bool isProduct = std::holds_alternative<GoalOut>(bench_.document.scenario()->problem.goal);
+  if (!isProduct || snapshot.state != SessionState::Idle || snapshot.problem || snapshot.refused) {
+    return statusText(snapshot);
+  }
+  const auto key = [this](const char* id) {
+    return bench_.actions[QLatin1String(id)]->shortcut().toString(QKeySequence::NativeText);
+  };
+  return tr("Ready. Plan sequence (%1) is for all parts, Find path (%2) for the moving part.")
+      .arg(key("sequence.plan"), key("run.start"));
 }
 
 void RunController::enableActions(const SessionSnapshot* snapshot) {
@@ -219,7 +232,7 @@ void RunController::enableActions(const SessionSnapshot* snapshot) {
   bench_.enable("run.start", live && !running);
   bench_.enable("run.pause", running);
   bench_.enable("run.stop", running);
-  bench_.enable("run.finish", running && snapshot->plannerId == "by-hand" && !finishing_);
+  bench_.enable("run.finish", running && ledByPerson_ && !finishing_);
   for (const char* id : {"run.restart", "run.restart-new-seed", "run.tuning", "object.to-start"}) {
     bench_.enable(id, live);
   }
@@ -280,14 +293,14 @@ void RunController::setLater(ParameterId id, double value) {
       Qt::QueuedConnection);
 }
 
-void RunController::followStrategy(const SessionSnapshot& snapshot) {
-  const std::string before = std::exchange(strategy_, snapshot.plannerId);
-  if (before == strategy_ || bench_.session.clock() == SessionClock::Lockstep) return;
+void RunController::followHand(const SessionSnapshot& snapshot) {
+  const bool before = std::exchange(ledByPerson_, isLedByPerson(snapshot.plannerId, bench_.session.deviceId()));
+  if (before == ledByPerson_ || bench_.session.clock() == SessionClock::Lockstep) return;
   const double pace = snapshot.parameters[ParameterId::Pace];
   const double ofPerson = snapshot.parameters[ParameterId::StepsPerSecond];
-  if (strategy_ == "by-hand" && pace == 0.0) {
+  if (ledByPerson_ && pace == 0.0) {
     setLater(ParameterId::Pace, ofPerson);
-  } else if (before == "by-hand" && pace == ofPerson) {
+  } else if (before && pace == ofPerson) {
     setLater(ParameterId::Pace, 0.0);
   }
 }

@@ -34,6 +34,8 @@ class RunController final : public QObject {
   void takeSnapshot(const SessionSnapshot& snapshot);
   void keepSettings(const SessionSnapshot& snapshot);
   void showRun(const SnapshotPtr& snapshot);
+  /// The state of the run, or the first thing to do with a product.
+  QString stateText(const SessionSnapshot& snapshot) const;
   void enableActions(const SessionSnapshot* snapshot);
   void chooseDevice(const std::string& id);
   void restart(std::uint64_t seed);
@@ -43,8 +45,9 @@ class RunController final : public QObject {
   void finish();
   void setLater(ParameterId id, double value);
   void followFinish(const SessionSnapshot& snapshot);
-  /// A run by hand goes at the pace of a person from the moment on at which this strategy is chosen.
-  void followStrategy(const SessionSnapshot& snapshot);
+  /// Sets the pace of a person as soon as their hand leads the search, and full speed once it does not. A pace that
+  /// the person has set stays.
+  void followHand(const SessionSnapshot& snapshot);
   /// Shows the rules of the strategy. Changed rules become the scenario's own.
   void editRules();
 
@@ -54,7 +57,7 @@ class RunController final : public QObject {
   QLabel* status_;
   QLabel* elapsed_;
   std::optional<ParameterValues> finishing_;  ///< settings of a run by hand that the computer finishes
-  std::string strategy_;                      ///< of the last snapshot
+  bool ledByPerson_ = false;                  ///< at the last snapshot
 };
 
 }  // namespace glissade

@@ -1,5 +1,8 @@
 #include "widgets/run/strategy_use.h"
 
+#include "engine/operator/device_registry.h"
+#include "engine/planning/fine/coarse_preview.h"
+
 namespace glissade {
 namespace {
 
@@ -19,6 +22,22 @@ bool isGuided(const std::string& deviceId) {
 
 bool isMainStrategy(const std::string& plannerId) {
   return plannerId == "auto" || plannerId == "by-hand" || plannerId == "gts";
+}
+
+bool isPerson(const std::string& deviceId) {
+  const DeviceRegistry registry = makeDeviceRegistry();
+  const DeviceEntry* entry = registry.find(deviceId);
+  return entry != nullptr && !entry->simulated;
+}
+
+bool followsHand(const std::string& plannerId) {
+  const PlannerRegistry registry = makePlannerRegistry();
+  const PlannerEntry* entry = registry.find(plannerId);
+  return entry != nullptr && entry->usesOperator;
+}
+
+bool isLedByPerson(const std::string& plannerId, const std::string& deviceId) {
+  return isPerson(deviceId) && followsHand(plannerId) && !isMultiLayer(plannerId);
 }
 
 std::string strategyWithHand(const std::string& plannerId, const std::string& deviceId) {

@@ -456,10 +456,11 @@ struct SceneView::Impl {
     if (q) hand->setMatrix(toOsg(*q));
   }
 
-  /// Shows the arrow of guidance and the object's tint.
+  /// Shows the arrow of guidance and the object's tint, once the object has been taken in hand or a run has begun.
   void showGuidance() {
     if (!object || !snapshot) return;
-    const bool shown = visible(SceneLayer::Guidance) && !playback && !snapshot->path;
+    const bool rests = snapshot->state == SessionState::Idle && snapshot->device.q_device == scenario->problem.start;
+    const bool shown = visible(SceneLayer::Guidance) && !playback && !snapshot->path && !rests;
     const bool helps = help.places && help.taken;  // one arrow at a time
     fill(SceneLayer::Guidance, shown && !helps ? makeGuidance(snapshot->device, markScale(), palette) : nullptr);
     const float strength = shown ? guidanceStrength(snapshot->device.guidance) : 0.0F;

@@ -21,24 +21,18 @@ void openOnDesktop(const QFileInfo& file) {
   QDesktopServices::openUrl(QUrl::fromLocalFile(file.absolutePath()));
 }
 
-/// A button beside the present message that opens the file. It disappears with the message.
-QToolButton* makeOpenButton(const QFileInfo& file, QStatusBar& bar) {
-  auto* button = new QToolButton(&bar);
-  button->setObjectName(QStringLiteral("open-saved"));
-  button->setText(QCoreApplication::translate("Messages", "Open"));
-  button->setToolTip(QCoreApplication::translate("Messages", "Open %1").arg(file.absoluteFilePath()));
-  button->setAccessibleName(button->toolTip());
-  button->setFocusPolicy(Qt::TabFocus);
-  bar.addPermanentWidget(button);
-  QObject::connect(button, &QToolButton::clicked, [file] { openOnDesktop(file); });
-  QObject::connect(&bar, &QStatusBar::messageChanged, button, [button] {
-    button->hide();
-    button->deleteLater();
-  });
-  return button;
-}
-
 }  // namespace
+
+// The button is in the bar from the start: a widget that comes later makes Qt show again what the message hides.
+Messages::Messages(QMainWindow& window) : window_(window), openSaved_(new QToolButton(window.statusBar())) {
+  openSaved_->setObjectName(QStringLiteral("open-saved"));
+  openSaved_->setText(QCoreApplication::translate("Messages", "Open"));
+  openSaved_->setFocusPolicy(Qt::TabFocus);
+  openSaved_->hide();
+  window.statusBar()->addPermanentWidget(openSaved_);
+  QObject::connect(openSaved_, &QToolButton::clicked, [this] { openOnDesktop(saved_); });
+  QObject::connect(window.statusBar(), &QStatusBar::messageChanged, openSaved_, &QWidget::hide);
+}
 
 void Messages::showError(const QString& title, const Diagnostic& why) {
   const QString file = why.file.empty() ? QString() : QString::fromStdString(why.file) + QStringLiteral(": ");
@@ -75,8 +69,10 @@ void Messages::showStatus(const QString& text) {
 void Messages::showSaved(const QString& text, const QString& file) {
   showStatus(text);
   if (quiet_) return;
-  delete openSaved_;  // of a message with the same text
-  openSaved_ = makeOpenButton(QFileInfo(file), *window_.statusBar());
+  saved_.setFile(file);
+  openSaved_->setToolTip(QCoreApplication::translate("Messages", "Open %1").arg(saved_.absoluteFilePath()));
+  openSaved_->setAccessibleName(openSaved_->toolTip());
+  openSaved_->show();
 }
 
 }  // namespace glissade

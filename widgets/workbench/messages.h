@@ -1,7 +1,7 @@
 #pragma once
 
+#include <QFileInfo>
 #include <QMainWindow>
-#include <QPointer>
 #include <QToolButton>
 
 #include "engine/base/diagnostic.h"
@@ -12,7 +12,7 @@ namespace glissade {
 /// Shows events to the user: errors in a dialog, others in the status bar. The log receives all of them.
 class Messages final {
  public:
-  explicit Messages(QMainWindow& window) : window_(window) {}
+  explicit Messages(QMainWindow& window);
 
   /// Opens no dialogs, because no person can answer them (scripts, pictures).
   void setQuiet(bool quiet) { quiet_ = quiet; }
@@ -29,7 +29,8 @@ class Messages final {
 
  private:
   QMainWindow& window_;
-  QPointer<QToolButton> openSaved_;  ///< opens the document that the present message is about
+  QFileInfo saved_;         ///< the document that the present message is about
+  QToolButton* openSaved_;  ///< opens it; hidden where the message is about none
   MessageLog log_;
   bool quiet_ = false;
 };

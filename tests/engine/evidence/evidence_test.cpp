@@ -231,5 +231,15 @@ TEST(Evidence, DeflectionIsWhatFilesStateAndNoGuess) {
       << "of the hole, whose file states no faces";
 }
 
+TEST(FitWords, AdvisedClashesAreAcceptedByTheDepthThatIsAdvisedForThem) {
+  FitWords words;
+  words.acceptedClash = kAdvisedClashes;
+  EXPECT_TRUE(words.accepts(nullptr, 0.002));
+  EXPECT_TRUE(words.accepts(nullptr, 0.002, 0.002));
+  EXPECT_FALSE(words.accepts(nullptr, 0.003, 0.002)) << "the deeper side of a pair of 2 mm";
+  words.acceptedClash = 0.003;
+  EXPECT_TRUE(words.accepts(nullptr, 0.003, 0.002)) << "a person's own limit";
+}
+
 }  // namespace
 }  // namespace glissade::check

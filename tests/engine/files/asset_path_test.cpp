@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/files/run_record.h"
+#include "engine/files/same_problem.h"
 #include "engine/files/scenario_io.h"
 #include "tests/engine/files/scenario_fixture.h"
 #include "tests/engine/support/temporary_folder.h"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/files/kept_path_proof.h"
-#include "engine/files/run_record.h"
+#include "engine/files/same_problem.h"
 #include "tests/engine/files/path_fixture.h"
 
 namespace glissade {

@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "engine/files/run_journal.h"
+#include "engine/files/same_problem.h"
 #include "engine/files/scenario_io.h"
 #include "tests/engine/files/scenario_fixture.h"
 #include "tests/engine/files/some_run_record.h"
@@ -342,6 +343,22 @@ TEST_F(ReplayLog, OfAVersionWithoutSlotsHasOne) {
 
 TEST_F(ReplayLog, IsRefusedOnAnotherScenario) {
   scenario_->scenario.bodies[0].pose.position.x() += 1e-9;
+  scenario_->problemSha256 = problemSha256(scenario_->scenario);
+  EXPECT_EQ(refusal(), "run.json: /problem_sha256");
+}
+
+TEST_F(ReplayLog, IsThatOfTheScenarioWithOtherNamesAndJoints) {
+  Scenario& scenario = scenario_->scenario;
+  scenario.bodies[0].name = scenario.object.first().name = "renamed";
+  scenario.joints.push_back({});
+  scenario_->problemSha256 = problemSha256(scenario);
+  EXPECT_EQ(refusal(), "");
+}
+
+TEST_F(ReplayLog, OfAnEarlierProgramHasTheNamesInItsHash) {
+  record_.problemSha256 = "428db8b8cd22141a60deeaacf764364668c214152f323a7b3263cc5d135bbe66";
+  EXPECT_EQ(refusal(), "");
+  scenario_->scenario.bodies[0].name = "renamed";
   EXPECT_EQ(refusal(), "run.json: /problem_sha256");
 }
 

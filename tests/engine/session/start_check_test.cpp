@@ -41,6 +41,21 @@ TEST(StartCheck, RefusesWhatCannotBePlanned) {
   EXPECT_EQ(kindOf(problem), ErrorKind::MalformedInput);  // no room within the bounds
 }
 
+TEST(StartCheck, RefusesMilestonesOutsideOfTheWorkspaceAndInCollision) {
+  const auto refusalOf = [](const Pose& q) {
+    Problem problem = windowProblem();
+    auto edits = std::make_shared<SemanticEdits>();
+    edits->milestones = {{Vector3::Zero(), problem.start}, {Vector3::Zero(), q}};
+    problem.scene.edits = edits;
+    const Outcome outcome = checkMilestones(problem);
+    return outcome ? std::string() : toString(outcome.error().location) + ": " + toString(outcome.error().reason);
+  };
+  EXPECT_EQ(refusalOf(windowProblem().start), "");
+  EXPECT_EQ(refusalOf(Pose::translation({1e3, 0, 0})), "/milestones/1: the milestone lies outside the workspace");
+  EXPECT_NE(refusalOf(Pose::translation({0, 2, 0})).find("/milestones/1: the milestone is in collision"),
+            std::string::npos);
+}
+
 TEST(StartCheck, NearerThanTheRequiredClearanceCountsAsCollision) {
   Problem problem = windowProblem();
   problem.start = Pose::translation({-0.35, 1.2, 0.0});  // 5 cm from the wall

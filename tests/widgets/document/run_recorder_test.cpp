@@ -75,6 +75,25 @@ TEST(RunRecorder, AKilledProgramLeavesAJournalThatReplays) {
   EXPECT_FALSE(firstDifference(*log, joined(last.latest->log)));
 }
 
+TEST(RunRecorder, NamesTheFileToWhichTheScenarioWasSavedAfterTheRun) {
+  const ScenarioPtr scenario = closedScenario();
+  RunRecorder recorder;
+  recorder.open(scenario);
+  SessionSnapshot snapshot;
+  snapshot.log = {std::make_shared<const RunLog>()};
+  ASSERT_TRUE(recorder.follow(snapshot));
+  auto saved = std::make_shared<LoadedScenario>(*scenario);
+  saved->file = "/elsewhere/saved.json";
+  EXPECT_TRUE(recorder.renew(saved));
+  EXPECT_EQ(recorder.record()->scenario, saved->file);
+  auto other = std::make_shared<LoadedScenario>(*saved);
+  other->problemSha256 = "another";
+  other->file = "/elsewhere/other.json";
+  EXPECT_FALSE(recorder.renew(other));
+  recorder.rearrange(other);
+  EXPECT_EQ(recorder.record()->scenario, saved->file) << "the recording is about the scenario of its run";
+}
+
 TEST(RunRecorder, SaysWhyTheDiskHoldsNoJournal) {
   const QTemporaryDir folder;
   QFile inTheWay(folder.filePath(QStringLiteral("recordings")));

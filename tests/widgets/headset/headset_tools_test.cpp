@@ -142,7 +142,7 @@ class InstructionWalkTest : public HeadsetToolsTest {
     const auto& way = step.path;
     hold(way.back().q, 0.0);
     hold(way.back().q, 1.0);
-    EXPECT_TRUE(holds());
+    EXPECT_TRUE(until([this] { return holds(); }));
     for (std::size_t i = way.size() - 1; i-- > 0;) {
       for (const double share : {0.25, 0.5, 0.75, 1.0}) hold(interpolate(way[i + 1].q, way[i].q, share), 1.0);
     }
@@ -169,7 +169,7 @@ TEST_F(InstructionWalkTest, APartThatIsLetGoStaysAndTheObjectOfTheScenarioIsNotT
   const AssemblyStep& step = plan().steps.back();
   hold(step.path.back().q, 0.0);
   hold(step.path.back().q, 1.0);
-  ASSERT_TRUE(holds());
+  ASSERT_TRUE(until([this] { return holds(); }));
   hold(step.path.back().q, 0.0);
   EXPECT_FALSE(holds());
   hold(object, 0.0);

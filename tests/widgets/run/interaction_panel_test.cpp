@@ -53,17 +53,19 @@ TEST_F(InteractionPanelTest, ShowsAStrategyOfResearchThatIsInForce) {
 }
 
 TEST_F(InteractionPanelTest, TheNameOfTheStrategyIsNotCut) {
-  panel.resize(300, 800);
   panel.show();
   const PlannerRegistry planners = makePlannerRegistry();
-  for (const PlannerEntry& entry : planners.entries()) {
-    showRunOf(entry.id.c_str());
-    QApplication::processEvents();
-    QStyleOptionComboBox option;
-    option.initFrom(&list());
-    const QRect room =
-        list().style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &list());
-    EXPECT_GE(room.width(), list().fontMetrics().horizontalAdvance(list().currentText())) << entry.id;
+  for (const int width : {300, 315, 330, 360}) {
+    panel.resize(width, 800);
+    for (const PlannerEntry& entry : planners.entries()) {
+      showRunOf(entry.id.c_str());
+      QApplication::processEvents();
+      QStyleOptionComboBox option;
+      option.initFrom(&list());
+      const QRect room =
+          list().style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &list());
+      EXPECT_GE(room.width(), list().fontMetrics().horizontalAdvance(list().currentText())) << entry.id << width;
+    }
   }
 }
 

@@ -57,14 +57,17 @@ TEST(Messages, WhatFilesSayIsNeverTakenForHtml) {
 
 TEST(Messages, ADocumentThatWasSavedCanBeOpenedUntilAnotherMessageComes) {
   QMainWindow window;
-  window.statusBar();
-  window.show();
+  auto* standing = new QLabel(QStringLiteral("Ready."));
+  window.statusBar()->addWidget(standing, 1);
   Messages messages(window);
+  window.show();
   messages.showSaved(QStringLiteral("a.html was saved"), QStringLiteral("/elsewhere/a.html"));
   messages.showSaved(QStringLiteral("a.html was saved"), QStringLiteral("/folder/a.html"));
   EXPECT_EQ(window.findChildren<QAbstractButton*>(QStringLiteral("open-saved")).size(), 1);
   const auto* open = window.findChild<QAbstractButton*>(QStringLiteral("open-saved"));
   ASSERT_NE(open, nullptr);
+  QApplication::processEvents();
+  EXPECT_FALSE(standing->isVisible()) << "it would be drawn over the message";
   EXPECT_TRUE(open->isVisible());
   EXPECT_TRUE(open->toolTip().contains(QStringLiteral("/folder/a.html")));
   messages.showStatus(QStringLiteral("another"));
