@@ -71,8 +71,8 @@ TEST(PartCells, NoPointIsFartherThanTheBound) {
     std::vector<std::uint32_t> near;
     const auto at = [&](int i, double y) { return Vector3(0.1 * i, y, i % 2 == 0 ? 0.0 : height); };
     for (int i = 0; i < 10; ++i) {
-      for (const Triangle& t : {Triangle{at(i, 0.0), at(i + 1, 0.0), at(i + 1, 1.0)},
-                                Triangle{at(i, 0.0), at(i + 1, 1.0), at(i, 1.0)}}) {
+      for (const Triangle& t :
+           {Triangle{at(i, 0.0), at(i + 1, 0.0), at(i + 1, 1.0)}, Triangle{at(i, 0.0), at(i + 1, 1.0), at(i, 1.0)}}) {
         near.push_back(static_cast<std::uint32_t>(triangles.size()));
         triangles.push_back(t);
         normals.push_back((t[1] - t[0]).cross(t[2] - t[0]).normalized());
@@ -86,8 +86,8 @@ TEST(PartCells, NoPointIsFartherThanTheBound) {
         std::uniform_real_distribution<double> share(0.0, 1.0);
         const double u = share(random);
         const double v = (1.0 - u) * share(random);
-        const Vector3 p = cell.corners[0] + u * (cell.corners[1] - cell.corners[0]) +
-                          v * (cell.corners[2] - cell.corners[0]);
+        const Vector3 p =
+            cell.corners[0] + u * (cell.corners[1] - cell.corners[0]) + v * (cell.corners[2] - cell.corners[0]);
         double least = 1.0;
         for (const Triangle& t : triangles) least = std::min(least, (nearestPoint(t, p) - p).norm());
         EXPECT_LE(least, cell.bound + 1e-12);
