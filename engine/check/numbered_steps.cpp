@@ -37,14 +37,13 @@ void checkProof(NumberedStep& numbered) {
 
 void numberBodies(const Product& product, const StepList& list, Present& left, NumberedStep& numbered) {
   for (const BodyId& id : numbered.step->bodies) {
-    const auto body =
-        std::find_if(product.bodies.begin(), product.bodies.end(), [&](const Body& each) { return each.id == id; });
+    const Body* body = product.find(id);
     const bool stays = std::find(list.staying.begin(), list.staying.end(), id) != list.staying.end();
-    if (body == product.bodies.end()) {
+    if (body == nullptr) {
       numbered.wrong.push_back({GLISSADE_TEXT("it moves '%1', which is not a body of the product"), {id.text()}});
       continue;
     }
-    const auto index = static_cast<std::size_t>(body - product.bodies.begin());
+    const auto index = static_cast<std::size_t>(body - product.bodies.data());
     if (stays) numbered.wrong.push_back({GLISSADE_TEXT("it moves '%1', which is fixed as base"), {id.text()}});
     if (left[index]) numbered.wrong.push_back({GLISSADE_TEXT("it moves '%1', which was removed before"), {id.text()}});
     if (!list.there[index])

@@ -82,9 +82,9 @@ double largestOfOthers(const std::vector<Body>& bodies, double (*valueOf)(const 
 
 /// Refuses allowances whose bodies are not the object and another body.
 void checkNames(const Question& question, const std::vector<StatedAllowance>& stated, PathVerdict& verdict) {
-  const auto& bodies = question.product.bodies;
   for (const StatedAllowance& each : stated) {
-    const bool known = std::any_of(bodies.begin(), bodies.end() - 1, [&](const Body& b) { return b.id == each.body; });
+    const Body* other = question.product.find(each.body);
+    const bool known = other != nullptr && other != &question.object();
     if (known && (each.moving.empty() || each.moving == question.object().id)) continue;
     verdict.refusals.push_back(
         {GLISSADE_TEXT("the file states an allowance of '%1' against '%2', which are not the object and another body"),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -63,6 +64,17 @@ struct Product {
   MissingShapes missing{};  ///< shapes of its files that are not read as bodies
   /// True if a person forbids places. The regions hold for the object of a path, and not for the parts of a plan.
   bool forbidsPlaces = false;
+
+  /// The body with the id; null: there is none.
+  const Body* find(const BodyId& id) const {
+    const auto found = std::find_if(bodies.begin(), bodies.end(), [&](const Body& body) { return body.id == id; });
+    return found == bodies.end() ? nullptr : &*found;
+  }
+  /// Its name for people, or the id if there is no such body.
+  std::string nameOf(const BodyId& id) const {
+    const Body* body = find(id);
+    return body == nullptr ? id.text() : body->name;
+  }
 };
 
 /// The task that a path has to solve.

@@ -1,6 +1,5 @@
 #include "engine/check/read_question.h"
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -66,9 +65,7 @@ void warnIfOpen(const Body& body, const std::string& file, std::map<MeshPtr, boo
 Outcome checkPairs(const Product& product, const std::string& file) {
   for (std::size_t i = 0; i < product.fits.pairs.size(); ++i) {
     for (const BodyId& id : {product.fits.pairs[i].a, product.fits.pairs[i].b}) {
-      const bool known =
-          std::any_of(product.bodies.begin(), product.bodies.end(), [&](const Body& body) { return body.id == id; });
-      if (known) continue;
+      if (product.find(id) != nullptr) continue;
       return Diagnostic{ErrorKind::MalformedInput,
                         file,
                         "/fits/pairs/" + std::to_string(i),

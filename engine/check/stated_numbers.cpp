@@ -72,19 +72,7 @@ class Numbers {
                       {key, shortText(stated), of, found}});
   }
 
-  const Body* bodyOf(const BodyId& id) const {
-    const auto found = std::find_if(question_.product.bodies.begin(), question_.product.bodies.end(),
-                                    [&](const Body& body) { return body.id == id; });
-    return found == question_.product.bodies.end() ? nullptr : &*found;
-  }
-
   static Message atMost(double value) { return {GLISSADE_TEXT("at most %1"), {shortText(value)}}; }
-
-  /// The name for people, or the id if there is no such body.
-  std::string nameOf(const BodyId& id) const {
-    const Body* body = bodyOf(id);
-    return body == nullptr ? id.text() : body->name;
-  }
 
   void compareCounts() {
     const std::size_t bodies = question_.product.bodies.size();
@@ -98,7 +86,7 @@ class Numbers {
     if (proof.afterSteps > before) {
       refuse("after_steps", proof.afterSteps, Message{GLISSADE_TEXT("%1 {1|step|steps} before it"), {before}});
     }
-    if (!proof.nearest.empty() && bodyOf(proof.nearest) == nullptr) {
+    if (!proof.nearest.empty() && question_.product.find(proof.nearest) == nullptr) {
       refuse("nearest", Message{GLISSADE_TEXT("'%1'"), {proof.nearest.text()}}, GLISSADE_TEXT("no such body"));
     }
     if (proof.required && question_.required && !isNear(*proof.required, *question_.required, kClearanceShare, 0.0)) {
@@ -126,7 +114,7 @@ class Numbers {
   }
 
   void compareJoint(const StatedJoint& joint) {
-    const Message of{GLISSADE_TEXT("the joint of '%1'"), {nameOf(joint.body)}};
+    const Message of{GLISSADE_TEXT("the joint of '%1'"), {question_.product.nameOf(joint.body)}};
     if (joint.turns && !isNear(*joint.turns, turning_.turns, kTurnShare, kLeastTurn)) {
       refuse("turns", *joint.turns, shortText(turning_.turns), of);
     }
@@ -149,7 +137,7 @@ class Numbers {
     double nearest = 0.0;
     double largest = 0.0;
     for (const BodyId& id : ids) {
-      const Body* body = bodyOf(id);
+      const Body* body = question_.product.find(id);
       if (body == nullptr) continue;
       const PlacedBody& placed = question_.placed.at({*body, body->X_WB});
       largest = std::max(largest, 2.0 * placed.halfDiagonal);
@@ -182,7 +170,7 @@ class Numbers {
   /// The width across flats of a hexagon is the distance between two faces; other drives are no larger than their
   /// bodies.
   void compareDrive(const StatedJoint& joint, const Message& of) {
-    const Body* body = bodyOf(joint.body);
+    const Body* body = question_.product.find(joint.body);
     if (body == nullptr) return;
     const double size = boundingBox(*body->mesh).diagonal().norm();
     if (*joint.driveSize > size) {
@@ -229,7 +217,8 @@ class Numbers {
 
   void compareAllowance(const StatedAllowance& stated) {
     const BodyId moving = stated.moving.empty() ? step_.bodies.front() : stated.moving;
-    const Message of{GLISSADE_TEXT("the allowance for '%1' and '%2'"), {nameOf(moving), nameOf(stated.body)}};
+    const Message of{GLISSADE_TEXT("the allowance for '%1' and '%2'"),
+                     {question_.product.nameOf(moving), question_.product.nameOf(stated.body)}};
     if (stated.turns && *stated.turns > turning_.turns * (1.0 + kTurnShare) + kLeastTurn) {
       refuse("turns", *stated.turns, shortText(turning_.turns), of);
     }

@@ -100,9 +100,7 @@ class StepJudge {
   /// Refuses allowances whose bodies are not a body of the step and one of the product.
   void checkNames(StepVerdict& verdict) const {
     for (const StatedAllowance& each : numbered_.step->allowances) {
-      const bool known = std::any_of(product_.bodies.begin(), product_.bodies.end(),
-                                     [&](const Body& body) { return body.id == each.body; });
-      if (known && isInStep(each.moving)) continue;
+      if (product_.find(each.body) != nullptr && isInStep(each.moving)) continue;
       verdict.refusals.push_back({GLISSADE_TEXT("it states an allowance of '%1' against '%2', which are not a body of "
                                                 "the step and one of the product"),
                                   {each.moving.text(), each.body.text()}});
@@ -139,17 +137,10 @@ class StepJudge {
     for (const StatedViolation& each : numbered_.step->violates) {
       if (each.rule == "before" || each.rule == "place") continue;
       std::vector<std::string> names;
-      for (const BodyId& id : each.bodies) names.push_back(nameOf(id));
+      for (const BodyId& id : each.bodies) names.push_back(product_.nameOf(id));
       verdict.notes.push_back(
           {GLISSADE_TEXT("it says that it does not keep the rule \"%1\" about %2"), {each.rule, namesInWords(names)}});
     }
-  }
-
-  std::string nameOf(const BodyId& id) const {
-    for (const Body& body : product_.bodies) {
-      if (body.id == id) return body.name;
-    }
-    return id.text();
   }
 
   /// Upper bound on the distance of the body, at the beginning, from the nearest body that is there, metres.
@@ -233,7 +224,7 @@ class StepJudge {
         std::any_of(fit.applied.begin(), fit.applied.end(), [](const auto& each) { return each.bend > 0.0; });
     const SnapWord* snap = product_.fits.snapOf(asked.moving.id, asked.other.id);
     if (!bends || snap == nullptr || !snap->byPlan) return;
-    verdict.conditions.push_back(hookBends(nameOf(snap->hook), nameOf(snap->edge), snap->bend));
+    verdict.conditions.push_back(hookBends(product_.nameOf(snap->hook), product_.nameOf(snap->edge), snap->bend));
   }
 
   /// A pitch or a hand that is unusual for a thread of this diameter needs a person's statement.

@@ -142,14 +142,6 @@ void addEdges(const MotionVerdict& verdict, const Product& product, std::vector<
   }
 }
 
-/// The name for people of the body with the id.
-std::string shownName(const BodyId& id, const Product& product) {
-  for (const Body& body : product.bodies) {
-    if (body.id == id) return body.name;
-  }
-  return id.text();
-}
-
 Message placesInWords(const std::vector<ForbiddenRegion>& regions) {
   std::vector<std::string> places;
   for (const ForbiddenRegion& region : regions) places.push_back(region.place);
@@ -336,7 +328,7 @@ struct StepsReport {
 /// `number`: see stepNumber(). Allowances against bodies that have left count in other orders only.
 void addStep(const StepVerdict& step, const std::string& number, StepsReport& report, std::vector<Message>& lines) {
   const auto& [product, isTrusted, left] = report;
-  const std::string body = step.bodies.empty() ? "" : shownName(step.bodies.front(), product);
+  const std::string body = step.bodies.empty() ? "" : product.nameOf(step.bodies.front());
   for (const AppliedAllowance& each : step.allowances) {
     if (left.count(each.other) != 0) continue;
     lines.push_back({GLISSADE_TEXT("step %1: allowance: %2"), {number, inWords(each)}});
