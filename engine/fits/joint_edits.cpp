@@ -259,10 +259,11 @@ JointKey keyOf(const Joint& joint, const AssembledProduct& product) {
 }
 
 Message inWords(const JointKey& key) {
-  constexpr std::array<CatalogueText, 9> kOfBody{
+  constexpr std::array kOfBody{
       GLISSADE_TEXT("screw of %1"),    GLISSADE_TEXT("nut of %1"),       GLISSADE_TEXT("thread of %1"),
       GLISSADE_TEXT("insert of %1"),   GLISSADE_TEXT("pin of %1"),       GLISSADE_TEXT("snap of %1"),
       GLISSADE_TEXT("flexible of %1"), GLISSADE_TEXT("permanent of %1"), GLISSADE_TEXT("unit of %1")};
+  static_assert(kOfBody.size() == std::size(kJointKindNames.names));
   return {kOfBody[static_cast<std::size_t>(key.kind)], {key.body.text()}};
 }
 

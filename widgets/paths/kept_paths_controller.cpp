@@ -7,6 +7,7 @@
 #include "engine/base/number_text.h"
 #include "engine/files/scenario_bodies.h"
 #include "engine/planning/path_examination.h"
+#include "widgets/controls/picture_file.h"
 
 namespace glissade {
 namespace {
@@ -288,8 +289,8 @@ void KeptPathsController::addCommands() {
   bench_.scripts.add("compare-screenshot", 1, [this](const Words& words) -> Outcome {
     auto* dialog = bench_.window.findChild<QDialog*>(QStringLiteral("compare-paths"));
     if (dialog == nullptr) return wrongCommand("no paths are compared");
-    if (dialog->grab().save(QString::fromStdString(words[0]))) return Done{};
-    return wrongCommand("cannot write '" + words[0] + "'");
+    const SaveResult saved = savePicture(dialog->grab().toImage(), QString::fromStdString(words[0]));
+    return saved ? Outcome(Done{}) : Outcome(saved.why);
   });
 }
 

@@ -108,7 +108,7 @@ enum class VerdictKind {
   Invalid        ///< shown to be wrong
 };
 
-/// The verdict of the judge, which shares no code with the planners but the file readers and measurements of pairs.
+/// The verdict of the judge, which shares file readers, basic geometry and measurements of pairs with the planners.
 struct Verdict {
   VerdictKind kind = VerdictKind::Undecided;  ///< the outcome
   std::string text{};                         ///< report for people, in English
