@@ -68,7 +68,9 @@ InteractionPanel::InteractionPanel(QWidget* parent)
   auto* form = new QFormLayout;
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   form->setLabelAlignment(Qt::AlignLeft);
-  form->addRow(new QLabel(tr("Strategy"), this));  // on a row of its own, because names of strategies are long
+  auto* strategy = new QLabel(tr("Strategy"), this);
+  strategy->setBuddy(planner_);
+  form->addRow(strategy);  // on a row of its own, because names of strategies are long
   form->addRow(planner_);
   form->addRow(about_);
   form->addRow(tr("Operator"), device_);
