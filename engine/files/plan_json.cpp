@@ -102,7 +102,7 @@ constexpr Accessor kCertificate{[](const AssemblyStep& step) {
                                   return StepCertificate{step.proof, step.certified};
                                 },
                                 [](AssemblyStep& step, const StepCertificate& read) {
-                                  step.proof = read;
+                                  step.proof = static_cast<const StepProof&>(read);
                                   step.certified = read.certified;
                                 }};
 
