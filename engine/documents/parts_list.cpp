@@ -139,7 +139,7 @@ std::string stepsText(const PartsListRow& row, const DocumentWords& words) {
   std::string steps = row.hasBase ? words(GLISSADE_TEXT("base")) : std::string();
   const auto add = [&](const std::string& text) { steps += (steps.empty() ? "" : ", ") + text; };
   for (const std::size_t step : row.steps) add(std::to_string(step));
-  if (row.withoutStep > 0) add("–");
+  if (row.withoutStep > 0) add(words(GLISSADE_TEXT("no step")));
   return steps;
 }
 

@@ -28,7 +28,7 @@ struct PartsListRow {
 /// their designation. Precondition: the plan is about the product.
 std::vector<PartsListRow> partsList(const AssemblyPlan& plan, const AssembledProduct& product);
 
-/// The steps that bring the parts of a row: "base, 3, 7"; a dash where one has no step.
+/// The steps that bring the parts of a row: "base, 3, 7"; "no step" where one has none.
 std::string stepsText(const PartsListRow& row, const DocumentWords& words);
 
 }  // namespace glissade

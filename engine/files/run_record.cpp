@@ -6,6 +6,7 @@
 
 #include "engine/base/file.h"
 #include "engine/files/run_record_json.h"
+#include "engine/files/scenario_io.h"
 #include "engine/import/json_checksum.h"
 
 namespace glissade {

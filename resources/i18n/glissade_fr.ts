@@ -11619,6 +11619,14 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <source>accepted clash: &apos;%1&apos; and &apos;%2&apos;, %3</source>
         <translation>interférence acceptée&#xa0;: «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;», %3</translation>
     </message>
+    <message>
+        <source>Incomplete: the plan has no step for %1.</source>
+        <translation>Incomplet&#xa0;: le plan n&apos;a pas d&apos;étape pour %1.</translation>
+    </message>
+    <message>
+        <source>no step</source>
+        <translation>sans étape</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -16316,6 +16324,10 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>Ready. Plan sequence (%1) is for all parts, Find path (%2) for the moving part.</source>
         <translation>Prêt. Planifier la séquence (%1)&#xa0;: toutes les pièces&#xa0;; Chercher un chemin (%2)&#xa0;: la pièce mobile.</translation>
+    </message>
+    <message>
+        <source>Ready. The file is one part: a sequence needs two parts or more.</source>
+        <translation>Prêt. Le fichier contient une seule pièce&#xa0;: une séquence en demande au moins deux.</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/model/body_id.h"
+
 namespace glissade {
 
 /// A body that fills the same place as others.

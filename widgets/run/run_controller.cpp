@@ -215,13 +215,17 @@ void RunController::showRun(const SnapshotPtr& snapshot) {
 }
 
 QString RunController::stateText(const SessionSnapshot& snapshot) const {
-  const bool isProduct = std::holds_alternative<GoalOut>(bench_.document.scenario()->problem.goal);
+  const LoadedScenario& scenario = *bench_.document.scenario();
+  const bool isProduct = std::holds_alternative<GoalOut>(scenario.problem.goal);
   if (!isProduct || snapshot.state != SessionState::Idle || snapshot.problem || snapshot.refused) {
     return statusText(snapshot);
   }
   const auto key = [this](const char* id) {
     return bench_.actions[QLatin1String(id)]->shortcut().toString(QKeySequence::NativeText);
   };
+  if (scenario.obstacles.empty() && scenario.objectBodies.size() == 1) {
+    return tr("Ready. The file is one part: a sequence needs two parts or more.");
+  }
   return tr("Ready. Plan sequence (%1) is for all parts, Find path (%2) for the moving part.")
       .arg(key("sequence.plan"), key("run.start"));
 }

@@ -114,6 +114,7 @@ class Page {
             paragraph("", say(GLISSADE_TEXT("%1 {1|part|parts}, %2 {2|step|steps}"),
                               {std::to_string(parts), std::to_string(instruction_.steps)})) +
             (tools.empty() ? std::string() : paragraph("", say(GLISSADE_TEXT("Tools: %1"), {tools}))) +
+            (instruction_.incomplete.empty() ? std::string() : paragraph("work", instruction_.incomplete)) +
             "</div></div>\n" + "<div class=\"picture\">" + image("image/png", pictures_.finished, instruction_.title) +
             "</div>\n</section>\n";
   }

@@ -105,6 +105,15 @@ InstructionPage PageMaker::cover() const {
                         false,
                         PageText::Align::Left,
                         true});
+  if (!instruction_.incomplete.empty()) {
+    made.texts.push_back({{area.x, area.y + 25.0, area.width, 8.0},
+                          instruction_.incomplete,
+                          kNotePoints,
+                          true,
+                          PageText::Align::Left,
+                          false,
+                          true});
+  }
   made.pictures.push_back({{area.x, area.y + kTitle, area.width, area.height - kTitle - kFacts}, std::nullopt});
   std::size_t parts = 0;
   for (const PartsListRow& row : instruction_.parts) parts += row.count;

@@ -38,6 +38,7 @@ class Instructor {
     made_.steps = plan_.steps.size();
     made_.bodies = idsOf(product_.bodies);
     made_.parts = partsList(plan_, product_);
+    made_.incomplete = partsWithoutStep();
     std::set<BodyId> leaving;
     for (const AssemblyStep& step : plan_.steps) {
       for (const BodyId& id : step.bodies()) leaving.insert(id);
@@ -55,6 +56,17 @@ class Instructor {
 
   std::string say(CatalogueText text, std::initializer_list<MessageArgument> arguments = {}) const {
     return words_.words()(text, arguments);
+  }
+
+  std::string partsWithoutStep() {
+    Ids stuck;
+    for (const StuckBody& each : plan_.stuck) stuck.push_back(each.body);
+    if (stuck.empty()) return {};
+    std::string names;
+    for (const FetchedPart& part : fetched(stuck)) {
+      names += (names.empty() ? "" : ", ") + countedName(part.name, part.count);
+    }
+    return say(GLISSADE_TEXT("Incomplete: the plan has no step for %1."), {names});
   }
 
   /// Adds the steps of the product, or of a group. `group`: number of the step that brings the group.
@@ -109,6 +121,7 @@ class Instructor {
     panel.work = panel.fetched.size() == 1 ? say(GLISSADE_TEXT("Put %1 on the bench."),
                                                  {countedName(panel.fetched[0].name, panel.fetched[0].count)})
                                            : say(GLISSADE_TEXT("Put these parts on the bench."));
+    if (group.empty() && !made_.incomplete.empty()) panel.notes.push_back(made_.incomplete);
     made_.panels.push_back(std::move(panel));
   }
 

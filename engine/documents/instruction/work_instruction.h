@@ -38,6 +38,7 @@ struct WorkInstruction {
   Language language = Language::English;
   std::string title;
   std::size_t steps = 0;       ///< number of steps of the plan
+  std::string incomplete;      ///< names the parts for which the plan has no step; empty: there are none
   std::vector<BodyId> bodies;  ///< ids of the whole product
   std::vector<PartsListRow> parts;
   std::vector<std::string> tools;  ///< without duplicates

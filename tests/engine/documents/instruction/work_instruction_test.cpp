@@ -79,6 +79,16 @@ TEST(WorkInstruction, AGroupIsPutTogetherBeforeItIsPutOn) {
 }
 
 /// The last block comes from below.
+TEST(WorkInstruction, PartsWithoutAStepAreNamedOnTheCoverAndAtTheStart) {
+  InstructedProduct made = test::blocksOnABase(3);
+  EXPECT_EQ(test::instructed(made).incomplete, "");
+  made.plan.steps.pop_back();
+  made.plan.stuck.push_back({"block0", {}});
+  const WorkInstruction instruction = test::instructed(made);
+  EXPECT_EQ(instruction.incomplete, "Incomplete: the plan has no step for block0.");
+  EXPECT_EQ(instruction.panels.front().notes, std::vector<std::string>{instruction.incomplete});
+}
+
 TEST(WorkInstruction, APartThatFallsOutWhenTheProductIsTurnedOverIsNamed) {
   InstructedProduct made = test::blocksOnABase(3);
   const auto block2 = made.product.indexOf("block2");
