@@ -36,7 +36,8 @@ Scenario closedRoom() {
     }
   }
   for (int i = 0; scenario.bodies.size() + 1 < kBodies; ++i) {
-    const Vector3 at(1.0 + 0.1 * (i % 10), 0.1 * (i / 10), 0.0);
+    const int row = i / 10;
+    const Vector3 at(1.0 + 0.1 * (i % 10), 0.1 * row, 0.0);
     scenario.bodies.push_back(boxAt(BodyId("box_" + std::to_string(i)), Vector3::Constant(0.05), at));
   }
   scenario.goal = Pose::translation({0.5, 0.0, 0.0});
