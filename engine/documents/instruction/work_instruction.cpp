@@ -58,15 +58,12 @@ class Instructor {
     return words_.words()(text, arguments);
   }
 
-  std::string partsWithoutStep() {
-    Ids stuck;
-    for (const StuckBody& each : plan_.stuck) stuck.push_back(each.body);
-    if (stuck.empty()) return {};
+  std::string partsWithoutStep() const {
     std::string names;
-    for (const FetchedPart& part : fetched(stuck)) {
-      names += (names.empty() ? "" : ", ") + countedName(part.name, part.count);
+    for (const PartsListRow& row : made_.parts) {
+      if (row.withoutStep > 0) names += (names.empty() ? "" : ", ") + countedName(partName(row), row.withoutStep);
     }
-    return say(GLISSADE_TEXT("Incomplete: the plan has no step for %1."), {names});
+    return names.empty() ? names : say(GLISSADE_TEXT("Incomplete: the plan has no step for %1."), {names});
   }
 
   /// Adds the steps of the product, or of a group. `group`: number of the step that brings the group.

@@ -82,8 +82,7 @@ TEST(WorkInstruction, AGroupIsPutTogetherBeforeItIsPutOn) {
 TEST(WorkInstruction, PartsWithoutAStepAreNamedOnTheCoverAndAtTheStart) {
   InstructedProduct made = test::blocksOnABase(3);
   EXPECT_EQ(test::instructed(made).incomplete, "");
-  made.plan.steps.pop_back();
-  made.plan.stuck.push_back({"block0", {}});
+  made.plan.steps.pop_back();  // a time limit ends a plan so
   const WorkInstruction instruction = test::instructed(made);
   EXPECT_EQ(instruction.incomplete, "Incomplete: the plan has no step for block0.");
   EXPECT_EQ(instruction.panels.front().notes, std::vector<std::string>{instruction.incomplete});
