@@ -47,10 +47,12 @@ BodyGroup unitIn(std::size_t body, const JointRules* joints) {
 
 /// The base of a group, which a worker may hold in any pose.
 std::size_t baseIn(const BodySet& there, const SequenceQuestion& question) {
-  const Joints joints = question.joints == nullptr ? Joints() : question.joints->joints();
-  const LiaisonGraph& liaisons =
-      question.liaisons != nullptr ? *question.liaisons : LiaisonGraph(there.size(), {}, joints);
-  return baseOf(question.product, there, liaisons, joints, question.fasteners, Vector3::Zero());
+  const Joints none;
+  const Joints& joints = question.joints == nullptr ? none : question.joints->joints();
+  const auto by = [&](const LiaisonGraph& liaisons) {
+    return baseOf(question.product, there, liaisons, joints, question.fasteners, Vector3::Zero());
+  };
+  return question.liaisons != nullptr ? by(*question.liaisons) : by(LiaisonGraph(there.size(), {}, joints));
 }
 
 /// Demands on places and on groups that leave together concern the whole product, and do not hold in a line.
