@@ -52,19 +52,19 @@ void PlacedBodies::measure(const Placement& one, const Placement& other, const S
   (void)measured(ordered(one, other), stop);
 }
 
-/// Null if the bodies are apart.
-PlacedBodies::MeasuredPtr PlacedBodies::measured(const Ordered& pair, const StopToken& stop) {
+PlacedBodies::MeasuredHere PlacedBodies::measured(const Ordered& pair, const StopToken& stop) {
   const PlacedBody& own = at({pair.secondBody, Pose::identity()});
   const Box3 box = own.tree.box().transformed(toIsometry(pair.second));
-  if (pair.first.tree.box().exteriorDistance(box) > touchingReach(pair.first, own)) return nullptr;
+  if (pair.first.tree.box().exteriorDistance(box) > touchingReach(pair.first, own)) return {};
   const PlacedBody& second = at({pair.secondBody, pair.second});
-  return pairs_.get({&pair.first, &second}, stop, [&] {
+  const auto make = [&] {
     MeasuredPair found = measurePair(pair.first, second, stop);
     if (found.other.patches) {
       found.other.mesh = std::make_shared<const TriangleMesh>(found.other.patches->divided(*pair.secondBody.mesh));
     }
     return std::make_shared<const MeasuredPair>(std::move(found));
-  });
+  };
+  return {&second, pairs_.get({&pair.first, &second}, stop, make)};
 }
 
 PairBounds PlacedBodies::boundsOf(const Placement& one, const Placement& other, const FitWords& fits,
@@ -131,10 +131,10 @@ Cut PlacedBodies::cutOf(const Placement& one, const Placement& other, const FitW
 PairBounds PlacedBodies::boundsInContact(const Placement& one, const Placement& other, const FitWords& fits,
                                          const PairWord* word, const StopToken& stop) {
   const Ordered pair = ordered(one, other);
-  const MeasuredPtr found = measured(pair, stop);
-  if (!found) return {noBound(one.body), noBound(other.body)};
-  const MeasuredBody first{pair.first, found->one};
-  const MeasuredBody second{at({pair.secondBody, pair.second}), found->other};
+  const MeasuredHere found = measured(pair, stop);
+  if (!found.pair) return {noBound(one.body), noBound(other.body)};
+  const MeasuredBody first{pair.first, found.pair->one};
+  const MeasuredBody second{*found.second, found.pair->other};
   return pair.isInOrder ? evidence::boundsOf(first, second, fits, word) : evidence::boundsOf(second, first, fits, word);
 }
 

@@ -54,8 +54,13 @@ class PlacedBodies {
     const Body& secondBody;
     Pose second;
   };
+  /// Measurements of a pair, and its second body where it was measured. Null: the bodies are apart.
+  struct MeasuredHere {
+    const PlacedBody* second = nullptr;
+    MeasuredPtr pair{};
+  };
   Ordered ordered(const Placement& one, const Placement& other);
-  MeasuredPtr measured(const Ordered& pair, const StopToken& stop);
+  MeasuredHere measured(const Ordered& pair, const StopToken& stop);
   void addHook(const SnapWord& snap, const Placement& hook, const Placement& edge, AllowanceBound& bound,
                const StopToken& stop);
   HookPtr measuredHook(const HookQuestion& question, const StopToken& stop);
