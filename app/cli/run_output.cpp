@@ -298,9 +298,8 @@ std::vector<Message> adviceAbout(const std::vector<const RigidBody*>& bodies, co
   std::vector<Message> advice;
   for (const RigidBody* body : bodies) {
     const std::vector<Fit>& fits = scenario.fits.allowed;
-    const auto clash = std::find_if(fits.begin(), fits.end(), [&](const Fit& fit) {
-      return fit.body == body->id && fit.kind == ContactKind::Clash;
-    });
+    const auto clash = std::find_if(fits.begin(), fits.end(),
+                                    [&](const Fit& fit) { return fit.body == body->id && isByAcceptedClash(fit); });
     if (clash != fits.end()) advice.push_back(adviceToCut(*clash, scenario.object.name, body->name));
   }
   return advice;

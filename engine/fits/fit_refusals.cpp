@@ -21,6 +21,10 @@ Message openOnBothSides(double opening, double othersOpening) {
           {Length{opening}, Length{othersOpening}}};
 }
 
+bool isByAcceptedClash(const Allowance& allowance) {
+  return allowance.kind == ContactKind::Clash || (allowance.hollow && allowance.kind != ContactKind::Thread);
+}
+
 Message adviceToCut(const Allowance& clash, const std::string& own, const std::string& other) {
   if (clash.hollow) {
     return {GLISSADE_TEXT("'%1' is cut, because its clash with '%2' (%3) is accepted; if '%2' is the one to cut, name "

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/fits/fit_refusals.h"
+
 namespace glissade {
 namespace {
 
@@ -78,9 +80,8 @@ const Fit* ProductFits::clashOf(std::size_t body, std::size_t other) const {
 
 const Fit* ProductFits::acceptedClashOf(std::size_t body, std::size_t other) const {
   const std::vector<Fit>& fits = fitsOf(body);
-  const auto found = std::find_if(fits.begin(), fits.end(), [&](const Fit& fit) {
-    return fit.obstacle == other && (fit.kind == ContactKind::Clash || (fit.hollow && fit.kind != ContactKind::Thread));
-  });
+  const auto found = std::find_if(fits.begin(), fits.end(),
+                                  [&](const Fit& fit) { return fit.obstacle == other && isByAcceptedClash(fit); });
   return found == fits.end() ? nullptr : &*found;
 }
 
