@@ -65,7 +65,8 @@ std::optional<double> misplacedHole(const std::vector<AxialSlab>& slabs, double 
   constexpr double kLeastApart = 0.03;
   constexpr int kFewSections = 3;  // a plain hole has one or two sections, a helix many
   const bool isPlain = count > 0 && count == of;
-  if ((count < kFewSections && !isPlain) || apart < kLeastApart * shaft * count || offset.norm() < kOneSide * apart) return std::nullopt;
+  if ((count < kFewSections && !isPlain) || apart < kLeastApart * shaft * count || offset.norm() < kOneSide * apart)
+    return std::nullopt;
   return radius;
 }
 
