@@ -25,6 +25,7 @@
 #include <GProp_GProps.hxx>
 #include <Geom2d_Line.hxx>
 #include <Geom_CylindricalSurface.hxx>
+#include <Geom_ToroidalSurface.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Writer.hxx>
 #include <Interface_Static.hxx>
@@ -52,6 +53,7 @@
 #include <fstream>
 #include <gp_Ax2.hxx>
 #include <gp_Ax3.hxx>
+#include <gp_Circ.hxx>
 #include <gp_GTrsf.hxx>
 #include <gp_Pln.hxx>
 #include <gp_Pnt2d.hxx>
@@ -169,6 +171,25 @@ TopoDS_Shape woundBand() {
   builder.Add(shell, faceOn(wall, {edgeOn(wall, lower, 0, lowerEnd, kTurn),
                                    edgeOn(wall, lowerEnd, kTurn, upperEnd, kTurn), shared}));
   return shell;
+}
+
+/// A roller: the face between its two ends is a part of a torus that meets itself.
+TopoDS_Shape barrel() {
+  constexpr double kCircle = 34.5;
+  constexpr double kTube = 41.0;
+  constexpr double kAngle = 0.15;  // of the tube, from the middle to an end
+  const auto disc = [](double side) {
+    const gp_Ax2 axes(gp_Pnt(0, 0, side * kTube * std::sin(kAngle)), gp_Dir(0, 0, side));
+    const TopoDS_Edge rim = BRepBuilderAPI_MakeEdge(gp_Circ(axes, kTube * std::cos(kAngle) - kCircle));
+    return BRepBuilderAPI_MakeFace(gp_Pln(gp_Ax3(axes)), BRepBuilderAPI_MakeWire(rim).Wire()).Face();
+  };
+  constexpr double kHalf = std::numbers::pi;
+  BRepBuilderAPI_Sewing sewing(1e-4);
+  sewing.Add(BRepBuilderAPI_MakeFace(new Geom_ToroidalSurface(gp_Ax3(), kCircle, kTube), 0.0, 2.0 * kHalf,
+                                     kHalf - kAngle, kHalf + kAngle, 1e-7));
+  for (const double side : {-1.0, 1.0}) sewing.Add(disc(side));
+  sewing.Perform();
+  return BRepBuilderAPI_MakeSolid(TopoDS::Shell(sewing.SewedShape()));
 }
 
 /// A document of products, written as one STEP file.
@@ -507,6 +528,7 @@ void writeAll(const std::string& folder) {
   writePart(folder + "/edge.step", "edge", BRepBuilderAPI_MakeEdge(gp_Pnt(), gp_Pnt(10, 0, 0)));
   writePart(folder + "/cone.step", "cone", coneAt(gp_Ax2(gp_Pnt(5, -3, 7), gp_Dir(1, 2, 3))));
   writePart(folder + "/faces.step", "faces", kindsOfFaces());
+  writePart(folder + "/barrel.step", "barrel", barrel());
   writePart(folder + "/thin-rim.step", "disc", discWithThinRim());
   writeCountersunkRing(folder + "/box.step", folder + "/countersunk-ring.step");
   writePart(folder + "/wound-band.step", "band", woundBand());
