@@ -460,6 +460,22 @@ TopoDS_Shape sheetAt(double height, bool upwards = true) {
   return BRepBuilderAPI_MakeFace(plane, -20.0, 20.0, -10.0, 10.0);
 }
 
+/// A rod with the surface of a cylinder beside it, as programs draw the cosmetic thread of a screw.
+TopoDS_Shape rodWithSurface(double rod, double surface) {
+  const Handle(Geom_CylindricalSurface) wall = new Geom_CylindricalSurface(gp_Ax3(), surface);
+  return compoundOf({cylinder(rod, 40), BRepBuilderAPI_MakeFace(wall, 0.0, 2.0 * std::numbers::pi, -19.0, 5.0, 1e-7)});
+}
+
+/// Two rods: the surface of the one is inside it, that of the other is around it.
+void writeCosmeticThreads(const std::string& file) {
+  Product product;
+  const TDF_Label both = product.assembly("rods");
+  product.put(product.part("covered", rodWithSurface(5.0, 4.2)), both, at(0, 0, 0));
+  product.put(product.part("covered", rodWithSurface(5.0, 4.2)), both, turnedAt(50, 0, 7));
+  product.put(product.part("bare", rodWithSurface(5.0, 5.2)), both, at(100, 0, 0));
+  product.write(file);
+}
+
 /// A solid made of the two sides of one sheet.
 TopoDS_Shape flatSolid() {
   BRepBuilderAPI_Sewing sewing;
@@ -543,6 +559,7 @@ void writeAll(const std::string& folder) {
   writeValidated(folder + "/validated.step", 1.0, 0.0);
   writeValidated(folder + "/validated-wrong.step", 1.05, 1.0);
   writeOddShapes(folder + "/odd-shapes.step");
+  writeCosmeticThreads(folder + "/cosmetic-threads.step");
   writeSplit(folder);
   writeFrames(folder + "/frames.step");
   writePart(folder + "/ribbed.step", "ribbed",
