@@ -285,6 +285,22 @@ TEST(StepImport, PartsWithoutAnInsideAndLonelyCurvesAreNamed) {
   EXPECT_EQ(product->parts.size(), 4U) << "a closed shell is no solid, but bounds one";
 }
 
+/// The assembly has the solids of its plate and its pin as its own shapes, too.
+TEST(StepImport, SolidsBesideTheUsesOfAnAssemblyAreParts) {
+  std::string text = stepText("unit.step");
+  const std::string items = "SHAPE_REPRESENTATION('',(#11,#15,#19,#23,#27),";
+  const auto at = text.find(items);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, items.size(), "SHAPE_REPRESENTATION('',(#11,#15,#19,#23,#27,#45,#478),");
+  const test::TemporaryFolder folder;
+  const auto product = importStep(folder.write("own.step", text), 0.0);
+  ASSERT_TRUE(product) << toString(product.error());
+  const std::size_t before = importStep(stepFile("unit.step"), 0.0)->parts.size();
+  const auto parts = withPartsAsOne(product->parts, std::set<std::string>());
+  EXPECT_EQ(parts.size(), before + 2U);
+  for (const Occurrence& part : parts) EXPECT_FALSE(part.isSolidOfPart) << part.path;
+}
+
 /// A part that the surface sticks out of has both as bodies.
 TEST(StepImport, SurfacesInsideASolidOfTheirPartAreLeftOut) {
   const auto product = importStep(stepFile("cosmetic-threads.step"), 0.0);
