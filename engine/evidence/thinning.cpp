@@ -2,6 +2,7 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -221,10 +222,13 @@ class ThinBody {
       angles += angle;
     }
     const Eigen::Matrix3d damped = sum + kDamping * angles * Eigen::Matrix3d::Identity();
-    const Vector3 move = -damped.colPivHouseholderQr().solve(right);
-    if (const double share = shareOf(move, faces, allowance); share >= 0.0) return share * move;
+    const Vector3 sliding = -damped.colPivHouseholderQr().solve(right);
     const Vector3 across = acrossAllowed(faces, allowance);
-    if (const double share = shareOf(across, faces, allowance); share >= 0.0) return share * across;
+    std::array<Vector3, 2> moves{sliding, across};
+    if (sliding.norm() > kLongestMove * allowance) std::swap(moves[0], moves[1]);
+    for (const Vector3& move : moves) {
+      if (const double share = shareOf(move, faces, allowance); share >= 0.0) return share * move;
+    }
     const Vector3 plain = mean.norm() > 0.0 ? Vector3(-allowance * mean / mean.norm()) : Vector3(Vector3::Zero());
     return std::max(0.0, shareOf(plain, faces, allowance)) * plain;
   }

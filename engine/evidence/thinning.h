@@ -16,11 +16,11 @@ inline constexpr double kHookShare = 0.45;
 ///
 /// A vertex moves to the intersection of the planes of its faces, each moved inwards by its target: the least squares'
 /// solution with the faces' angles as weights. The target of a face is its allowance, or a fifth of the thickness below
-/// it if that is less. If a face would move outwards, the vertex moves against the mean of the normals instead, by the
-/// largest allowance at it. The move is shortened so that no face moves farther than the largest allowance at the
-/// vertex or its fifth, and the vertex by no more than twice this allowance. If a face still moves outwards, the vertex
-/// stays.
-/// stays.
+/// it if that is less. If a face would move outwards, or the vertex by more than twice its largest allowance, it moves
+/// against the normals of the faces with an allowance instead, as far as these require; if that moves a face outwards,
+/// too, against the mean of all normals, by the largest allowance at it. The move is shortened so that no face moves
+/// farther than the largest allowance at the vertex or its fifth, and the vertex by no more than twice this allowance.
+/// If a face still moves outwards, the vertex stays.
 ///
 /// An open surface has an inside only far from its open edges (open_surface.h).
 ///

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -180,9 +181,11 @@ Vector3 ThinnableMesh::moveOf(std::size_t vertex, const Wanted& wanted) const {
   if (!(weights > 0.0)) return Vector3::Zero();
   matrix.diagonal().array() += kStill * weights;
   const Vector3 least = matrix.ldlt().solve(moments);
-  if (const auto move = shortened(least, vertex, wanted, largest)) return *move;
   const Vector3 plain = againstThoseAllowed(vertex, wanted, largest);
-  if (const auto move = shortened(plain, vertex, wanted, largest)) return *move;
+  const bool slidesFar = least.norm() > kLongestThinning * largest;
+  for (const Vector3& each : slidesFar ? std::array{plain, least} : std::array{least, plain}) {
+    if (const auto move = shortened(each, vertex, wanted, largest)) return *move;
+  }
   return shortened(-largest * mean.stableNormalized(), vertex, wanted, largest).value_or(Vector3::Zero());
 }
 

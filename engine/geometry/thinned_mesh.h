@@ -26,12 +26,13 @@ inline constexpr double kFarFromOpening = 10.0;
 /// Definition. The room of a face is its allowance, or a fifth of the thickness below the face if that is less. A
 /// vertex moves to the intersection of the planes of its faces, each moved by its room: the least squares solution with
 /// the faces' angles as weights. So it slides along faces without an allowance. Where that moves a face outwards, as at
-/// a chamfer whose facets are tilted, the vertex moves against the mean of the normals of the faces with an allowance,
-/// as far as these faces require. Where that also moves a face outwards, it moves by the largest allowance of the faces
-/// against the mean of all normals, with the same weights. The move is shortened so that no face moves farther than the
-/// largest allowance or its fifth, and the vertex by no more than two of these allowances. Where a face still moves
-/// outwards, the vertex does not move. So the thinned body is inside the true one, to a hundred thousandth of the
-/// allowance, and holds every point of it that is deeper than two allowances.
+/// a chamfer whose facets are tilted, or the vertex by more than two allowances, as where a face without an allowance
+/// is nearly tangent to one that has one, the vertex moves against the mean of the normals of the faces with an
+/// allowance, as far as these faces require. Where that also moves a face outwards, it moves by the largest allowance
+/// of the faces against the mean of all normals, with the same weights. The move is shortened so that no face moves
+/// farther than the largest allowance or its fifth, and the vertex by no more than two of these allowances. Where a
+/// face still moves outwards, the vertex does not move. So the thinned body is inside the true one, to a hundred
+/// thousandth of the allowance, and holds every point of it that is deeper than two allowances.
 ///
 /// A chamfer moves with its cylinder: vertices of a cone that continues a cylinder with an allowance move perpendicular
 /// to the axis onto the thinned cylinder where they are beyond it (continued_cones.h).
