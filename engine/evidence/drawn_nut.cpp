@@ -63,6 +63,13 @@ std::optional<NutShape> nutShapeOf(const PlacedBody& body, const CommonThread& c
   return NutShape{width ? kHexagon : 0, width.value_or(0.0), high - low, hole};
 }
 
+/// False for round parts without a thread.
+bool mayBeInNut(StandardPart shaft) {
+  constexpr std::array kSmooth{StandardPart::Pin, StandardPart::Bearing, StandardPart::Washer, StandardPart::Ring,
+                               StandardPart::Seal};
+  return std::find(kSmooth.begin(), kSmooth.end(), shaft) == kSmooth.end();
+}
+
 double saidDiameter(const std::optional<Designation>& said, StandardPart part) {
   return said && said->part == part ? said->diameter : 0.0;
 }
@@ -76,7 +83,7 @@ bool isNutOnShaft(const CommonThread& cylinders, const LeavingPair& pair) {
   if (!shape) return false;
   const auto ofNut = designationIn(cylinders.movingIsShaft ? pair.nameOfOther : pair.nameOfMoving);
   const auto ofShaft = designationIn(cylinders.movingIsShaft ? pair.nameOfMoving : pair.nameOfOther);
-  if (ofShaft && ofShaft->part == StandardPart::Pin) return false;
+  if (ofShaft && !mayBeInNut(ofShaft->part)) return false;
   const std::vector<ThreadSize> byShape = nutSizes(*shape);
   const bool isNamed = ofNut && ofNut->part == StandardPart::Nut;
   if (!isNamed && byShape.empty()) return false;

@@ -31,15 +31,15 @@ std::vector<evidence::CommonThread> JudgedThreads::of(std::size_t body, std::siz
   double overlap = 0.0;
   bool isCalledThread = false;
   bool makesHole = false;
-  bool areRound = false;
+  bool isThinned = false;
   for (const Fit& fit : fits) {
     if (fit.thread) return {};
     makesHole = makesHole || (fit.hollow && fit.kind == ContactKind::Thread);
     overlap = std::max(overlap, fit.evidence.overlap);
     isCalledThread = isCalledThread || fit.kind == ContactKind::Thread;
-    areRound = areRound || fit.kind == ContactKind::Cylindrical;
+    isThinned = isThinned || fit.thinned != nullptr;
   }
-  if ((overlap <= 0.0 && !isCalledThread && !areRound) || mayBePulled(body, other, fits)) return {};
+  if ((!isCalledThread && !isThinned) || mayBePulled(body, other, fits)) return {};
   const evidence::Body own = product_.measured(body);
   const evidence::Body obstacle = product_.measured(other);
   std::optional<evidence::ScrewInSolid> screw;

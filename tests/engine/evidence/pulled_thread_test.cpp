@@ -133,6 +133,8 @@ TEST(PulledThread, ANutOnAShaftAsWideAsItsHoleIsAThread) {
   EXPECT_FALSE(isPulledNut("", 0.016, 0.05)) << "a column";
   EXPECT_FALSE(isPulledNut("nut M8", 0.013, 0.008)) << "of another size than the shaft";
   EXPECT_FALSE(isPulledNut("nut", 0.016, 0.008, "dowel pin")) << "a pin has no thread";
+  for (const char* smooth : {"608 bearing", "washer 10.5", "O-ring 10x2"})
+    EXPECT_FALSE(isPulledNut("nut", 0.016, 0.008, smooth)) << smooth;
   const Parts round(0.005);
   EXPECT_EQ(round.boltStays(turned(0.0)), "") << "a washer";
   const LeavingPair named{round.around, round.bolt, 0.0, false, nullptr, "round nut"};
