@@ -141,6 +141,7 @@ Json stepsJson(const LineAccess& access, const std::vector<AssemblyStep>& steps,
   for (std::size_t i = 0; i < steps.size(); ++i) {
     json.push_back({{"bodies", steps[i].bodies()}});
     json.back().update(toJson(access.steps[i], product.bodies));
+    if (steps[i].motions.size() > 1) json.back()["motion"] = access.steps[i].motion + 1;
   }
   return json;
 }

@@ -10,21 +10,25 @@
 namespace glissade::cli {
 namespace {
 
-/// Adds the unusual pitches of the threads in which the steps turn.
+/// Adds the unusual pitches of the threads in which the motion turns.
+void addPitches(const StepMotion& motion, const AssembledProduct& product, std::vector<Message>& conditions) {
+  const auto nameOf = [&](const BodyId& id) { return product.body(id).shown(); };
+  const std::vector<BodyId> moving = motion.bodies();
+  for (const StepJoint& joint : motion.joints) {
+    const double pitch = std::abs(joint.pitch);
+    if (joint.turns == 0.0 || joint.isPitchStated || check::isStandardPitch(joint.diameter, pitch)) continue;
+    const bool turns = std::find(moving.begin(), moving.end(), joint.body) != moving.end();
+    for (const BodyId& other : joint.others) {
+      const auto& [mover, fixed] = turns ? std::tie(joint.body, other) : std::tie(other, joint.body);
+      conditions.push_back(check::hasPitch(nameOf(mover), nameOf(fixed), pitch, joint.diameter).text);
+    }
+  }
+}
+
 void addPitches(const std::vector<AssemblyStep>& steps, const std::vector<SubassemblyLine>& lines,
                 const AssembledProduct& product, std::vector<Message>& conditions) {
-  const auto nameOf = [&](const BodyId& id) { return product.body(id).shown(); };
   for (const AssemblyStep& step : steps) {
-    const std::vector<BodyId> moving = step.bodies();
-    for (const StepJoint& joint : step.joints) {
-      const double pitch = std::abs(joint.pitch);
-      if (joint.turns == 0.0 || joint.isPitchStated || check::isStandardPitch(joint.diameter, pitch)) continue;
-      const bool turns = std::find(moving.begin(), moving.end(), joint.body) != moving.end();
-      for (const BodyId& other : joint.others) {
-        const auto& [mover, fixed] = turns ? std::tie(joint.body, other) : std::tie(other, joint.body);
-        conditions.push_back(check::hasPitch(nameOf(mover), nameOf(fixed), pitch, joint.diameter).text);
-      }
-    }
+    for (const StepMotion& motion : step.motions) addPitches(motion, product, conditions);
   }
   for (const SubassemblyLine& line : lines) addPitches(line.steps, line.lines, product, conditions);
 }

@@ -98,10 +98,10 @@ class ProgressHost final : public SequenceHost {
 
   void stepFound(const AssemblyPlan& plan) override {
     for (; reported_ < plan.steps.size(); ++reported_) {
-      const AssemblyStep& step = plan.steps[reported_];
-      notes_.note({step.with.empty() ? GLISSADE_TEXT("%1 of %2 {2|part|parts}: %3 removed (%4)")
-                                     : GLISSADE_TEXT("%1 of %2 {2|part|parts}: %3 removed as one (%4)"),
-                   {plan.removed(), plan.parts(), namesOf(step), methodInWords(step.method)}});
+      const StepMotion& motion = plan.steps[reported_].only();
+      notes_.note({motion.with.empty() ? GLISSADE_TEXT("%1 of %2 {2|part|parts}: %3 removed (%4)")
+                                       : GLISSADE_TEXT("%1 of %2 {2|part|parts}: %3 removed as one (%4)"),
+                   {plan.removed(), plan.parts(), namesOf(motion), methodInWords(motion.method)}});
     }
     if (file_.empty()) return;
     unkept_ = plan;
@@ -109,12 +109,15 @@ class ProgressHost final : public SequenceHost {
   }
 
   const std::string& nameOf(const BodyId& id) const { return product_.body(id).shown(); }
-  std::string namesOf(const AssemblyStep& step) const {
-    std::string names = nameOf(step.body);
-    for (const BodyId& id : step.with) names += " + " + nameOf(id);
+  std::string namesOf(const StepMotion& motion) const {
+    std::string names = nameOf(motion.body);
+    for (const BodyId& id : motion.with) names += " + " + nameOf(id);
     return names;
   }
-  void skip(std::size_t steps) { reported_ = steps; }
+  /// The motions of this plan are not reported.
+  void skip(const AssemblyPlan& plan) {
+    for (const AssemblyStep& step : plan.steps) reported_ += step.motions.size();
+  }
 
  private:
   /// Writes the steps found since the last writing if enough time has passed.
@@ -133,9 +136,9 @@ class ProgressHost final : public SequenceHost {
   ThreadTeam& team_;
   const AssembledProduct& product_;
   ProgressNotes notes_;
-  std::size_t reported_ = 0;
-  std::string file_;  ///< empty: no plan is written during the search
-  Console console_;   ///< for warnings of the writing
+  std::size_t reported_ = 0;  ///< number of motions
+  std::string file_;          ///< empty: no plan is written during the search
+  Console console_;           ///< for warnings of the writing
   std::string productName_;
   double deflection_ = 0.0;
   std::optional<AssemblyPlan> unkept_;
@@ -286,11 +289,11 @@ class PlanPrinter {
 
  private:
   void printSteps(const std::vector<AssemblyStep>& steps, const std::string& group, const std::string& before) const;
-  void printNotes(const std::vector<AssemblyStep>& steps, std::size_t at, const std::string& before) const;
+  void printNotes(const StepMotion& motion, const std::vector<Allowance>& allowances, const std::string& before) const;
   void printStuck(const std::vector<StuckBody>& all, const std::string& before) const;
   void printLines(const std::vector<SubassemblyLine>& lines, std::size_t steps, const std::string& group,
                   const std::string& before) const;
-  Message motionOf(const AssemblyStep& step) const;
+  Message motionOf(const StepMotion& motion) const;
   std::string namesOf(const std::vector<BodyId>& ids, const char* separator) const;
   void printIndented(const std::string& before, const Message& line) const;
 
@@ -311,44 +314,51 @@ std::string PlanPrinter::namesOf(const std::vector<BodyId>& ids, const char* sep
 }
 
 /// "straight, clearance 0.5 mm to 'plate'"
-Message PlanPrinter::motionOf(const AssemblyStep& step) const {
-  Message motion = methodInWords(step.method);
-  if (!step.certified) motion = {GLISSADE_TEXT("%1, not certified"), {motion}};
-  if (step.proof.nearest.empty()) return motion;
+Message PlanPrinter::motionOf(const StepMotion& motion) const {
+  Message text = methodInWords(motion.method);
+  if (!motion.certified) text = {GLISSADE_TEXT("%1, not certified"), {text}};
+  if (motion.proof.nearest.empty()) return text;
   return {GLISSADE_TEXT("%1, clearance %2 to '%3'"),
-          {motion, Length{step.proof.minClearance}, host_.nameOf(step.proof.nearest)}};
+          {text, Length{motion.proof.minClearance}, host_.nameOf(motion.proof.nearest)}};
 }
 
-/// Prints the steps with the numbers of the order of assembly, as in documents. `group`: number of the step that adds
-/// the group of these steps.
+/// Prints the steps with the numbers of the order of assembly, as in documents; the motions of a step of several are
+/// below it. `group`: number of the step that adds the group of these steps.
 void PlanPrinter::printSteps(const std::vector<AssemblyStep>& steps, const std::string& group,
                              const std::string& before) const {
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const AssemblyStep& step = steps[i];
-    std::string names = toRight(stepNumber(steps.size() - 1 - i, group), 4) + "  " + host_.namesOf(step);
-    if (step.fastener != FastenerKind::None) {
-      names += " (" + console_.text(CatalogueText{kFastenerNames.of(step.fastener)}) + ")";
+    const std::string number = toRight(stepNumber(steps.size() - 1 - i, group), 4) + "  ";
+    const bool isOne = step.motions.size() == 1;
+    if (!isOne) std::cout << before << number << nameOfStep(step, host_.product()) << "\n";
+    for (const StepMotion& motion : step.motions) {
+      std::string names = (isOne ? number : std::string(6, ' ')) + host_.namesOf(motion);
+      if (motion.fastener != FastenerKind::None) {
+        names += " (" + console_.text(CatalogueText{kFastenerNames.of(motion.fastener)}) + ")";
+      }
+      printIndented(before, {GLISSADE_TEXT("%1: %2"), {names, motionOf(motion)}});
+      printNotes(motion, allowancesInOrder(steps, i, motion), before + (isOne ? "      " : "        "));
     }
-    printIndented(before, {GLISSADE_TEXT("%1: %2"), {names, motionOf(step)}});
-    printNotes(steps, i, before + "      ");
+    for (const std::string& text : words_.violations(step, host_.product())) {
+      printIndented(before + "      ", {GLISSADE_TEXT("forced, although: %1"), {text}});
+    }
   }
 }
 
-/// Prints what is to be said of a step beside its motion.
-void PlanPrinter::printNotes(const std::vector<AssemblyStep>& steps, std::size_t at, const std::string& before) const {
-  const AssemblyStep& step = steps[at];
+/// Prints what is to be said of a motion beside its path.
+void PlanPrinter::printNotes(const StepMotion& motion, const std::vector<Allowance>& allowances,
+                             const std::string& before) const {
   const AssembledProduct& product = host_.product();
-  for (const std::string& text : words_.joints(step, product, PlanOrder::Removal)) std::cout << before << text << "\n";
-  if (step.tool.kind != ToolKind::None) {
-    printIndented(before, {GLISSADE_TEXT("tool: %1"), {words_.tool(step, product)}});
+  for (const std::string& text : words_.joints(motion, product, PlanOrder::Removal)) {
+    std::cout << before << text << "\n";
   }
-  for (const std::string& text : words_.violations(step, product)) {
-    printIndented(before, {GLISSADE_TEXT("forced, although: %1"), {text}});
+  if (motion.tool.kind != ToolKind::None) {
+    printIndented(before, {GLISSADE_TEXT("tool: %1"), {words_.tool(motion, product)}});
   }
-  for (const BodyId& id : step.falling) {
+  for (const BodyId& id : motion.falling) {
     printIndented(before, {GLISSADE_TEXT("support: %1"), {host_.nameOf(id)}});
   }
-  for (const Allowance& allowance : allowancesInOrder(steps, at)) {
+  for (const Allowance& allowance : allowances) {
     printIndented(before, {GLISSADE_TEXT("allowance: %1"), {allowance.text}});
   }
 }
@@ -381,9 +391,11 @@ void PlanPrinter::printLines(const std::vector<SubassemblyLine>& lines, std::siz
 std::size_t screwHoles(const std::vector<AssemblyStep>& steps, const std::vector<SubassemblyLine>& lines) {
   std::size_t holes = 0;
   for (const AssemblyStep& step : steps) {
-    holes += static_cast<std::size_t>(
-        std::count_if(step.allowances.begin(), step.allowances.end(),
-                      [](const Allowance& each) { return each.hollow && each.kind == ContactKind::Thread; }));
+    for (const StepMotion& motion : step.motions) {
+      holes += static_cast<std::size_t>(
+          std::count_if(motion.allowances.begin(), motion.allowances.end(),
+                        [](const Allowance& each) { return each.hollow && each.kind == ContactKind::Thread; }));
+    }
   }
   for (const SubassemblyLine& line : lines) holes += screwHoles(line.steps, line.lines);
   return holes;
@@ -561,7 +573,7 @@ int runSequence(const SequenceOptions& options) {
     reused = carriedTo(product, *read).plan;
   }
   ProgressHost host(stop, team, product, notes);
-  if (earlier) host.skip(earlier->steps.size());
+  if (earlier) host.skip(*earlier);
   const std::string usual = options.strategy.empty() ? kUsualStrategy : options.strategy;
   const std::string strategy = earlier ? earlier->strategy : usual;
   SequenceRequest request{*staying, strategy, seed, *demands, earlier ? &*earlier : nullptr};

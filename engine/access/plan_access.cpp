@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "engine/sequence/body_group.h"
-#include "engine/sequence/plan_bodies.h"
 
 namespace glissade {
 namespace {
@@ -15,15 +15,15 @@ Diagnostic interrupted() {
           GLISSADE_TEXT("Start it again.")};
 }
 
-ReachedMotion motionOf(const AssemblyStep& step, const AssembledProduct& product, std::vector<std::size_t> bodies,
+ReachedMotion motionOf(const StepMotion& motion, const AssembledProduct& product, std::vector<std::size_t> bodies,
                        const BodySet& there) {
-  ReachedMotion motion{std::move(bodies), bodiesIn(there), {}, step.tool.kind, {}};
-  if (!step.tool.turned.empty()) motion.bolt = product.indexOf(step.tool.turned);
-  if (motion.bolt) std::erase(motion.others, *motion.bolt);
-  const Pose back = step.path.empty() ? Pose::identity() : inverse(step.path.front().q);
-  for (const PathPoint& point : step.path) motion.moved.push_back(point.q * back);
-  if (motion.moved.empty()) motion.moved.push_back(Pose::identity());
-  return motion;
+  ReachedMotion reached{std::move(bodies), bodiesIn(there), {}, motion.tool.kind, {}};
+  if (!motion.tool.turned.empty()) reached.bolt = product.indexOf(motion.tool.turned);
+  if (reached.bolt) std::erase(reached.others, *reached.bolt);
+  const Pose back = motion.path.empty() ? Pose::identity() : inverse(motion.path.front().q);
+  for (const PathPoint& point : motion.path) reached.moved.push_back(point.q * back);
+  if (reached.moved.empty()) reached.moved.push_back(Pose::identity());
+  return reached;
 }
 
 /// Takes over the plan's result for the tool, which also includes how the tool is brought on.
@@ -53,11 +53,8 @@ class PlanAsker {
   LineAccess ask(const std::vector<AssemblyStep>& steps, const std::vector<SubassemblyLine>& lines, BodySet there) {
     LineAccess access;
     for (const AssemblyStep& step : steps) {
-      std::vector<std::size_t> bodies = bodiesOf(step, product_);
-      there = without(std::move(there), bodies);
-      MotionAccess found = checker_.of(motionOf(step, product_, std::move(bodies), there), watch_.stop);
+      StepAccess found = accessOf(step, there);
       if (watch_.stop.stopRequested()) return access;
-      noteTool(step.tool, product_, found.hand);
       access.steps.push_back(std::move(found));
       watch_.report(static_cast<double>(++asked_) / static_cast<double>(count_));
     }
@@ -66,6 +63,22 @@ class PlanAsker {
   }
 
  private:
+  /// Takes the bodies of the step out of `there`.
+  StepAccess accessOf(const AssemblyStep& step, BodySet& there) {
+    std::optional<StepAccess> deciding;
+    for (std::size_t i = 0; i < step.motions.size() && !watch_.stop.stopRequested(); ++i) {
+      const StepMotion& motion = step.motions[i];
+      std::vector<std::size_t> bodies = product_.indicesOf(motion.bodies());
+      there = without(std::move(there), bodies);
+      StepAccess found{checker_.of(motionOf(motion, product_, std::move(bodies), there), watch_.stop), i};
+      noteTool(motion.tool, product_, found.hand);
+      const bool decides =
+          deciding && deciding->isReachedAndSeen() && (!found.isReachedAndSeen() || &motion == &step.opening());
+      if (!deciding || decides) deciding = std::move(found);
+    }
+    return deciding.value_or(StepAccess());
+  }
+
   BodySet groupOf(const SubassemblyLine& line) const {
     BodySet there(product_.bodies.size(), false);
     for (const std::size_t body : product_.indicesOf(line.bodies)) there[body] = true;

@@ -6,9 +6,14 @@
 
 namespace glissade {
 
+/// Access to the motion of a step that decides: the first one without access, else the one that the tool opens.
+struct StepAccess : MotionAccess {
+  std::size_t motion = 0;  ///< index of the motion in the step
+};
+
 /// Access to each step of a plan, or of a group that is taken apart, in its order.
 struct LineAccess {
-  std::vector<MotionAccess> steps{};
+  std::vector<StepAccess> steps{};
   std::vector<LineAccess> lines{};  ///< access to the groups' steps, in the order of AssemblyPlan::lines
 
   /// Number of steps, including those of groups.
@@ -23,9 +28,9 @@ struct PlanAccess : LineAccess {
   MeshPtr forearm;  ///< forearm of this person, in the forearm's frame
 };
 
-/// Tests each step while the bodies are there that the steps before it have left; a step of a group while the other
-/// bodies of the group are. If the plan states that the step's tool is blocked, the hand is blocked, too. After a stop:
-/// Interrupted. Precondition: the plan belongs to this product.
+/// Tests each motion while the bodies are there that those before it have left; a step of a group while the other
+/// bodies of the group are. If the plan states that the motion's tool is blocked, the hand is blocked, too. After a
+/// stop: Interrupted. Precondition: the plan belongs to this product.
 Result<PlanAccess> planAccess(const AssembledProduct& product, const AssemblyPlan& plan, const Person& person,
                               const WorkWatch& watch);
 

@@ -8,11 +8,17 @@
 namespace glissade::api {
 namespace {
 
-Step publicStep(const AssemblyStep& step) {
+Motion publicMotion(const StepMotion& motion) {
   std::vector<Pose> path;
-  for (const PathPoint& point : step.path) path.push_back(publicPose(point.q));
-  return {textsOf(step.bodies()),    step.method, std::move(path), step.certified, step.proof.minClearance,
-          step.proof.nearest.text(), step.after};
+  for (const PathPoint& point : motion.path) path.push_back(publicPose(point.q));
+  return {textsOf(motion.bodies()),   motion.method, std::move(path), motion.certified, motion.proof.minClearance,
+          motion.proof.nearest.text()};
+}
+
+Step publicStep(const AssemblyStep& step) {
+  std::vector<Motion> motions;
+  for (const StepMotion& motion : step.motions) motions.push_back(publicMotion(motion));
+  return {textsOf(step.bodies()), std::move(motions), step.after};
 }
 
 PlanEnd publicEnd(glissade::PlanEnd end) {

@@ -10,18 +10,25 @@ void takeAway(const Group& group, Present& present) {
   for (const std::size_t body : group) present[body] = false;
 }
 
-/// Numbers of the steps that are carried out before step `number` in every order.
-std::set<std::size_t> predecessorsOf(std::size_t number, const std::vector<std::set<std::size_t>>& earlier,
+/// Indices of the motions that are carried out before this one in every order: those of the steps that come before its
+/// step, and the earlier ones of its step. `earlier`: those of the motions before it in the list.
+std::set<std::size_t> predecessorsOf(const std::vector<Step>& steps, const std::vector<std::set<std::size_t>>& earlier,
                                      NumberedStep& numbered) {
-  std::set<std::size_t> before;
+  const std::size_t number = numbered.step->number;
+  std::set<std::size_t> stated{number};
   for (const std::size_t each : numbered.step->after) {
     if (each == 0 || each >= number) {
       numbered.wrong.push_back(
           {GLISSADE_TEXT("it states \"after\": %1, and %2 {2|step comes|steps come} before it"), {each, number - 1}});
-      continue;
+    } else {
+      stated.insert(each);
     }
-    before.insert(each);
-    before.insert(earlier[each - 1].begin(), earlier[each - 1].end());
+  }
+  std::set<std::size_t> before;
+  for (std::size_t motion = 0; motion < earlier.size(); ++motion) {
+    if (stated.count(steps[motion].number) == 0) continue;
+    before.insert(motion);
+    before.insert(earlier[motion].begin(), earlier[motion].end());
   }
   return before;
 }
@@ -64,10 +71,10 @@ std::vector<NumberedStep> numberedSteps(const Product& product, const StepList& 
   Present there = list.there;
   Present left(product.bodies.size(), false);
   for (const Step& step : list.steps) {
-    NumberedStep numbered{&step, {}, there, list.there, {}, steps.size()};
+    NumberedStep numbered{&step, {}, there, list.there, {}};
     numberBodies(product, list, left, numbered);
-    before.push_back(predecessorsOf(steps.size() + 1, before, numbered));
-    for (const std::size_t each : before.back()) takeAway(steps[each - 1].group, numbered.mayBeThere);
+    before.push_back(predecessorsOf(list.steps, before, numbered));
+    for (const std::size_t each : before.back()) takeAway(steps[each].group, numbered.mayBeThere);
     takeAway(numbered.group, there);
     steps.push_back(std::move(numbered));
   }

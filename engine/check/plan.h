@@ -35,14 +35,15 @@ struct StatedJoint {
 
 /// The proof that a step states for its motion.
 struct StatedProof {
-  std::size_t afterSteps = 0;  ///< bodies: those that are there after this number of steps
+  /// The bodies: those that are there after this number of steps and the earlier motions of the own step.
+  std::size_t afterSteps = 0;
   std::optional<double> required{};
   std::optional<double> provedClearance{};
   std::optional<double> minClearance{};
   BodyId nearest{};  ///< id; empty: none
 };
 
-/// A step as a plan states it.
+/// A motion of a step as a plan states it, with what is of the whole step.
 struct Step {
   std::vector<BodyId> bodies;  ///< ids of the bodies that leave
   std::vector<Point> path;
@@ -56,6 +57,8 @@ struct Step {
   bool unit = false;  ///< the step says that its bodies are one unit
   std::optional<std::uint64_t> wave{};
   std::optional<std::uint64_t> task{};
+  std::size_t number = 1;  ///< number of the step in its list, from 1
+  std::size_t motion = 0;  ///< number of the motion in a step of several, from 1; 0: the step has one
 };
 
 /// The disassembly of a group that has left, in a frame of the group: only its bodies are there.
@@ -63,16 +66,16 @@ struct Line {
   std::size_t step = 0;  ///< number, from 1, of the step by which the group has left, in the plan or in the line above
   std::vector<BodyId> bodies;   ///< ids
   std::vector<BodyId> staying;  ///< ids
-  std::vector<Step> steps;
-  std::vector<Line> lines;  ///< lines of groups that leave this group
+  std::vector<Step> steps;      ///< all motions of its steps, in their order
+  std::vector<Line> lines;      ///< lines of groups that leave this group
 };
 
 /// An assembly plan as its file states it; no statement of it is trusted.
 struct Plan {
   std::vector<BodyId> bodies;   ///< ids
   std::vector<BodyId> staying;  ///< ids
-  std::vector<Step> steps;
-  std::string end;  ///< "complete", "stuck", "time_limit" or "interrupted"
+  std::vector<Step> steps;      ///< all motions of its steps, in their order
+  std::string end;              ///< "complete", "stuck", "time_limit" or "interrupted"
   Demands demands{};
   std::vector<SnapWord> snaps{};  ///< bends of which the plan says that a person has confirmed them
   PartingWords partings{};

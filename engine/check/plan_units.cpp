@@ -43,7 +43,8 @@ class LeavingCount {
  private:
   void addSteps(const std::vector<Step>& steps, const std::vector<Line>& lines) {
     for (std::size_t i = 0; i < steps.size(); ++i) {
-      const auto line = std::find_if(lines.begin(), lines.end(), [&](const Line& each) { return each.step == i + 1; });
+      const auto line =
+          std::find_if(lines.begin(), lines.end(), [&](const Line& each) { return each.step == steps[i].number; });
       if (line == lines.end()) {
         addCluster(idsOf(steps[i].bodies), steps[i].unit);
       } else {

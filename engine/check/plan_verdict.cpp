@@ -38,11 +38,15 @@ Present presentOnly(const std::vector<BodyId>& ids, const Product& product) {
   return there;
 }
 
+std::size_t stepsIn(const std::vector<Step>& motions) { return motions.empty() ? 0 : motions.back().number; }
+
 /// Claims of a line that contradict the step by which its group has left.
 std::vector<Message> wrongLine(const Line& line, const std::vector<Step>& above) {
-  if (line.step == 0 || line.step > above.size())
-    return {{GLISSADE_TEXT("it states \"step\": %1, and there are %2"), {line.step, above.size()}}};
-  const auto& group = above[line.step - 1].bodies;
+  const auto step =
+      std::find_if(above.begin(), above.end(), [&](const Step& each) { return each.number == line.step; });
+  if (step == above.end())
+    return {{GLISSADE_TEXT("it states \"step\": %1, and there are %2"), {line.step, stepsIn(above)}}};
+  const auto& group = step->bodies;
   std::vector<Message> wrong;
   if (std::set<BodyId>(group.begin(), group.end()) != std::set<BodyId>(line.bodies.begin(), line.bodies.end()) ||
       group.size() != line.bodies.size()) {
@@ -63,7 +67,7 @@ void addLines(const std::vector<Line>& lines, const std::vector<Step>& above, co
     std::vector<std::size_t> numbers = parent.line;
     numbers.push_back(line.step);
     JudgedList list{numberedSteps(product, {line.steps, line.staying, presentOnly(line.bodies, product)}),
-                    {numbers, {}, wrongLine(line, above), stepNumber(line.step - 1, above.size(), parent.group)}};
+                    {numbers, {}, wrongLine(line, above), stepNumber(line.step - 1, stepsIn(above), parent.group)}};
     if (!known.insert(line.step).second) list.verdict.refusals.emplace_back(GLISSADE_TEXT("its step has another line"));
     const LineVerdict own{numbers, {}, {}, list.verdict.group};
     lists.push_back(std::move(list));
@@ -82,8 +86,8 @@ Demands ofLines(Demands demands) {
 void judgeDemands(const NumberedStep& step, const Demands& demands, const Product& product, bool isLine,
                   StepVerdict& result) {
   if (step.group.empty()) return;
-  const BrokenDemands broken =
-      brokenDemands(*step.step, step.group, step.there, step.earlier + 1, product, isLine ? ofLines(demands) : demands);
+  const BrokenDemands broken = brokenDemands(*step.step, step.group, step.there, step.step->number, product,
+                                             isLine ? ofLines(demands) : demands);
   if (result.againstDemand.empty()) result.againstDemand = broken.refused;
   result.conditions.insert(result.conditions.end(), broken.givenUp.begin(), broken.givenUp.end());
 }
@@ -103,9 +107,17 @@ std::string stepNumber(std::size_t index, std::size_t steps, const std::string& 
   return (group.empty() ? "" : group + ".") + std::to_string(steps - index);
 }
 
+std::size_t stepsIn(const std::vector<StepVerdict>& motions) { return motions.empty() ? 0 : motions.back().number; }
+
+bool PlanVerdict::isValid(std::size_t step) const {
+  return std::all_of(steps.begin(), steps.end(),
+                     [&](const StepVerdict& each) { return each.number != step || each.valid(); });
+}
+
 std::size_t PlanVerdict::validSteps() const {
-  return static_cast<std::size_t>(
-      std::count_if(steps.begin(), steps.end(), [](const StepVerdict& step) { return step.valid(); }));
+  std::size_t count = 0;
+  for (std::size_t step = 1; step <= stepsIn(steps); ++step) count += isValid(step) ? 1 : 0;
+  return count;
 }
 
 std::size_t PlanVerdict::stepsWithoutProof() const {
@@ -119,7 +131,7 @@ std::size_t PlanVerdict::stepsWithoutProof() const {
 }
 
 bool PlanVerdict::valid() const {
-  return refusals.empty() && validSteps() == steps.size() &&
+  return refusals.empty() && validSteps() == stepsIn(steps) &&
          std::all_of(lines.begin(), lines.end(), [](const LineVerdict& line) { return line.valid(); });
 }
 
@@ -200,6 +212,8 @@ PlanVerdict judgePlan(const Product& read, const Plan& plan, std::optional<doubl
     StepVerdict& result = list->verdict.steps[i];
     result.bodies = step.step->bodies;
     result.motion.why = GLISSADE_TEXT("the check was stopped");
+    result.number = step.step->number;
+    result.motionNumber = step.step->motion;
     if (watch.stop.stopRequested()) return;
     result = judgeStep(step, tools);
     const bool isLine = !list->verdict.line.empty();

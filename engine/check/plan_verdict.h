@@ -14,6 +14,7 @@
 
 namespace glissade::check {
 
+/// The verdict on a motion of a step.
 struct StepVerdict {
   std::vector<BodyId> bodies;  ///< ids
   JudgedMotion motion{};       ///< names bodies by number in the product; for a group, the least clear one
@@ -26,6 +27,8 @@ struct StepVerdict {
   std::vector<Message> pulls{};
   std::vector<Condition> conditions{};  ///< conditions on which the verdict depends
   std::vector<Message> notes{};         ///< rules that the step says it breaks, for people
+  std::size_t number = 1;               ///< see Step::number
+  std::size_t motionNumber = 0;         ///< see Step::motion
 
   bool certified() const { return motion.verdict.status == Status::Certified; }
   bool valid() const { return (certified() || isFlexible) && endsOutside && againstDemand.empty() && refusals.empty(); }
@@ -38,10 +41,10 @@ struct StepVerdict {
 
 /// The verdict on a group that has left and is taken apart.
 struct LineVerdict {
-  std::vector<std::size_t> line{};  ///< step numbers, from 1, on the way to it: in the plan, in the line above, ...
-  std::vector<StepVerdict> steps{};
-  std::vector<Message> refusals{};  ///< refused statements of the line, for people
-  std::string group{};              ///< number of its step, see stepNumber()
+  std::vector<std::size_t> line{};   ///< step numbers, from 1, on the way to it: in the plan, in the line above, ...
+  std::vector<StepVerdict> steps{};  ///< one for each motion, in order
+  std::vector<Message> refusals{};   ///< refused statements of the line, for people
+  std::string group{};               ///< number of its step, see stepNumber()
 
   bool valid() const;
   bool refused() const;  ///< see StepVerdict::refused()
@@ -61,8 +64,11 @@ enum class PlanOutcome {
   Invalid
 };
 
+/// The number of steps of these motions.
+std::size_t stepsIn(const std::vector<StepVerdict>& motions);
+
 struct PlanVerdict {
-  std::vector<StepVerdict> steps;
+  std::vector<StepVerdict> steps;       ///< one for each motion, in order
   std::vector<Message> refusals{};      ///< refused statements of the plan, for people
   std::size_t parts = 0;                ///< bodies that are to leave
   std::size_t remaining = 0;            ///< bodies without a step
@@ -75,6 +81,7 @@ struct PlanVerdict {
   bool planIsTrusted = false;           ///< a person confirms the plan's statements
 
   std::size_t validSteps() const;                ///< number of valid steps of the plan, without those of lines
+  bool isValid(std::size_t step) const;          ///< all motions of the plan's step with this number are valid
   std::size_t stepsWithoutProof() const;         ///< number of steps of flexible bodies, including those of lines
   std::vector<Condition> allConditions() const;  ///< each condition once, and one for all clashes
   bool valid() const;                            ///< all steps and all statements of the plan are valid
@@ -82,11 +89,11 @@ struct PlanVerdict {
   PlanOutcome outcome() const;
 };
 
-/// Judges every step, including those of lines. Each of its bodies moves along the common motion against all bodies
-/// except those of the steps that have to come before, so that every order that keeps Step::after is judged. Steps are
-/// judged in `threads` threads, which do not change the verdict. Bodies have their frames at the centres of their
-/// boxes. `required`: clearance, metres; nothing: the usual one for the size of each body. After a stop, steps are
-/// undecided.
+/// Judges every motion of each step, including those of lines. Its bodies move along the common motion against all
+/// bodies except those of the steps that have to come before and of the earlier motions of its step, so that every
+/// order that keeps Step::after is judged. Motions are judged in `threads` threads, which do not change the verdict.
+/// Bodies have their frames at the centres of their boxes. `required`: clearance, metres; nothing: the usual one for
+/// the size of each body. After a stop, steps are undecided.
 PlanVerdict judgePlan(const Product& product, const Plan& plan, std::optional<double> required,
                       const WorkWatch& watch = {}, std::size_t threads = usableCores());
 

@@ -59,11 +59,10 @@ StatedProof readProof(const JsonCursor& at) {
   return proof;
 }
 
-void readNumbers(const JsonCursor& at, Step& step) {
-  if (const auto wave = at.find("wave")) step.wave = wave->wholeNumber();
-  if (const auto task = at.find("task")) step.task = task->wholeNumber();
+void readStatements(const JsonCursor& at, Step& step) {
   if (const auto unit = at.find("unit")) step.unit = unit->boolean();
-  if (const auto tool = at.find("tool")) tool->allowOnly({"kind", "access", "blocked_by", "turned"});
+  if (const auto tool = at.find("tool"))
+    tool->allowOnly({"kind", "access", "blocked_by", "turned", "held", "held_with"});
   step.proof = readProof(at.at("certificate"));
   const auto joints = at.find("joints");
   for (std::size_t i = 0; joints && i < joints->sizeUpTo(limits::kMostBodies); ++i) {
@@ -71,10 +70,20 @@ void readNumbers(const JsonCursor& at, Step& step) {
   }
 }
 
-Step readStep(const JsonCursor& at, std::size_t earlier) {
-  at.allowOnly({"bodies", "method", "wave", "after", "fastener", "tool", "falling", "certificate", "allowances", "path",
-                "violates", "joints", "task", "unit"});
-  Step step;
+using Keys = std::vector<std::string>;
+
+Keys keysOfMotion() {
+  return {"bodies", "method", "fastener", "tool", "falling", "certificate", "allowances", "path", "joints", "unit"};
+}
+
+/// Keys of a step with its `others`.
+Keys keysOfStep(Keys others) {
+  others.insert(others.end(), {"wave", "after", "violates", "task"});
+  return others;
+}
+
+/// Adds the keys of a motion to `step`, which holds those of its step.
+Step readMotion(const JsonCursor& at, Step step) {
   step.bodies = idsOf(at.at("bodies"));
   step.path = readPoints(at.at("path"));
   const JsonCursor allowances = at.at("allowances");
@@ -84,13 +93,22 @@ Step readStep(const JsonCursor& at, std::size_t earlier) {
   }
   step.allowances = readAllowances(allowances);
   step.certified = at.at("certificate").at("status").text() == "certified";
-  readNumbers(at, step);
+  readStatements(at, step);
   step.flexible =
       step.bodies.size() == 1 && std::any_of(step.joints.begin(), step.joints.end(), [&](const auto& joint) {
         return joint.kind == "flexible" && joint.body == step.bodies.front();
       });
+  return step;
+}
+
+/// What is of the step and of each of its motions. `number`: of the step, from 1.
+Step readWhole(const JsonCursor& at, std::size_t number) {
+  Step step;
+  step.number = number;
+  if (const auto wave = at.find("wave")) step.wave = wave->wholeNumber();
+  if (const auto task = at.find("task")) step.task = task->wholeNumber();
   const auto after = at.find("after");
-  for (std::size_t number = 1; !after && number <= earlier; ++number) step.after.push_back(number);
+  for (std::size_t each = 1; !after && each < number; ++each) step.after.push_back(each);
   for (std::size_t i = 0; after && i < after->sizeUpTo(limits::kMostBodies); ++i) {
     step.after.push_back(static_cast<std::size_t>(after->element(i).wholeNumber()));
   }
@@ -102,21 +120,39 @@ Step readStep(const JsonCursor& at, std::size_t earlier) {
   return step;
 }
 
-std::vector<Step> readSteps(const JsonCursor& at) {
-  std::vector<Step> steps;
-  for (std::size_t i = 0; i < at.sizeUpTo(limits::kMostBodies); ++i) steps.push_back(readStep(at.element(i), i));
-  return steps;
+/// Reads the motions of all steps. A step of version 1 is its one motion.
+std::vector<Step> readSteps(const JsonCursor& list, std::uint64_t version) {
+  std::vector<Step> motions;
+  for (std::size_t i = 0; i < list.sizeUpTo(limits::kMostBodies); ++i) {
+    const JsonCursor at = list.element(i);
+    Step step = readWhole(at, i + 1);
+    if (version == 1) {
+      at.allowOnly(keysOfStep(keysOfMotion()));
+      motions.push_back(readMotion(at, std::move(step)));
+      continue;
+    }
+    at.allowOnly(keysOfStep({"motions"}));
+    const JsonCursor own = at.at("motions");
+    const std::size_t count = own.sizeUpTo(limits::kMostBodies);
+    if (count == 0) own.fail(GLISSADE_TEXT("is empty"));
+    for (std::size_t motion = 0; motion < count; ++motion) {
+      step.motion = count == 1 ? 0 : motion + 1;
+      own.element(motion).allowOnly(keysOfMotion());
+      motions.push_back(readMotion(own.element(motion), step));
+    }
+  }
+  return motions;
 }
 
 /// The recursion ends because the JSON reader refuses nesting deeper than 32.
-std::vector<Line> linesIn(const JsonCursor& at) {
+std::vector<Line> linesIn(const JsonCursor& at, std::uint64_t version) {
   std::vector<Line> lines;
   const auto list = at.find("lines");
   for (std::size_t i = 0; list && i < list->sizeUpTo(limits::kMostBodies); ++i) {
     const JsonCursor line = list->element(i);
     line.allowOnly({"step", "bodies", "staying", "steps", "stuck", "lines"});
     lines.push_back({static_cast<std::size_t>(line.at("step").wholeNumber()), idsOf(line.at("bodies")),
-                     idsOf(line.at("staying")), readSteps(line.at("steps")), linesIn(line)});
+                     idsOf(line.at("staying")), readSteps(line.at("steps"), version), linesIn(line, version)});
   }
   return lines;
 }
@@ -126,8 +162,9 @@ Plan planIn(const JsonCursor& at) {
                 "parts",  "removed", "apart",    "end",     "certified", "bodies", "staying",
                 "steps",  "stuck",   "refusals", "waiting", "sequence",  "lines"});
   if (at.at("format").text() != kPlanFormatName) at.at("format").fail(GLISSADE_TEXT("is not \"glissade-plan\""));
-  if (at.at("version").wholeNumber() != 1)
-    at.at("version").fail(GLISSADE_TEXT("is not 1"), GLISSADE_TEXT("Use a newer Glissade."));
+  const std::uint64_t version = at.at("version").wholeNumber();
+  if (version != 1 && version != 2)
+    at.at("version").fail(GLISSADE_TEXT("is neither 1 nor 2"), GLISSADE_TEXT("Use a newer Glissade."));
   Plan plan;
   plan.bodies = idsOf(at.at("bodies"));
   plan.staying = idsOf(at.at("staying"));
@@ -152,8 +189,8 @@ Plan planIn(const JsonCursor& at) {
   if (const auto removed = at.find("removed")) plan.removed = removed->wholeNumber();
   if (const auto apart = at.find("apart")) plan.apart = apart->wholeNumber();
   if (const auto certified = at.find("certified")) plan.certified = certified->boolean();
-  plan.steps = readSteps(at.at("steps"));
-  plan.lines = linesIn(at);
+  plan.steps = readSteps(at.at("steps"), version);
+  plan.lines = linesIn(at, version);
   return plan;
 }
 

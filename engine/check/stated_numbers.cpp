@@ -83,7 +83,7 @@ class Numbers {
   }
 
   void compareProof(const StatedProof& proof) {
-    const std::size_t before = question_.numbered.earlier;
+    const std::size_t before = step_.number - 1;
     if (proof.afterSteps > before) {
       refuse("after_steps", proof.afterSteps, Message{GLISSADE_TEXT("%1 {1|step|steps} before it"), {before}});
     }

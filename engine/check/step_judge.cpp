@@ -55,6 +55,8 @@ class StepJudge {
   StepVerdict judge() {
     StepVerdict verdict{numbered_.step->bodies, {}, true, {}, {}, numbered_.wrong};
     verdict.isFlexible = numbered_.step->flexible;
+    verdict.number = numbered_.step->number;
+    verdict.motionNumber = numbered_.step->motion;
     if (numbered_.group.empty()) return verdict;
     checkNames(verdict);
     noteRules(verdict);
@@ -134,6 +136,7 @@ class StepJudge {
 
   /// Notes broken rules that no person demands: the judge does not know them.
   void noteRules(StepVerdict& verdict) const {
+    if (numbered_.step->motion > 1) return;  // the first motion of the step has them
     for (const StatedViolation& each : numbered_.step->violates) {
       if (each.rule == "before" || each.rule == "place") continue;
       std::vector<std::string> names;

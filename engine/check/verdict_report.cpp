@@ -316,6 +316,14 @@ Message whyInvalid(const StepVerdict& step, const Product& product) {
   return joined(reasons, "; ");
 }
 
+Message whyInvalid(const PlanVerdict& verdict, std::size_t step, const Product& product) {
+  std::vector<Message> reasons;
+  for (const StepVerdict& each : verdict.steps) {
+    if (each.number == step && !each.valid()) reasons.push_back(whyInvalid(each, product));
+  }
+  return reasons.empty() ? Message() : joined(reasons, "; ");
+}
+
 namespace {
 
 /// How the steps of a plan or of a line are reported.
@@ -325,8 +333,8 @@ struct StepsReport {
   std::set<BodyId> left{};  ///< ids of the bodies of earlier steps
 };
 
-/// `number`: see stepNumber(). Allowances against bodies that have left count in other orders only.
-void addStep(const StepVerdict& step, const std::string& number, StepsReport& report, std::vector<Message>& lines) {
+/// `number`: see numberOf(). Allowances against bodies that have left count in other orders only.
+void addStep(const StepVerdict& step, const Message& number, StepsReport& report, std::vector<Message>& lines) {
   const auto& [product, isTrusted, left] = report;
   const std::string body = step.bodies.empty() ? "" : product.nameOf(step.bodies.front());
   for (const AppliedAllowance& each : step.allowances) {
@@ -351,6 +359,14 @@ void addStep(const StepVerdict& step, const std::string& number, StepsReport& re
   }
 }
 
+/// "3.1", or "3.1, motion 2" in a step of several motions. `steps`: number of steps of the list; `group`: see
+/// stepNumber().
+Message numberOf(const StepVerdict& step, std::size_t steps, const std::string& group) {
+  const std::string number = stepNumber(step.number - 1, steps, group);
+  if (step.motionNumber == 0) return Message(number);
+  return {GLISSADE_TEXT("%1, motion %2"), {number, step.motionNumber}};
+}
+
 /// How many steps are proved; how many parts leave, in which way, and how many have no step.
 Message countsInWords(const PlanVerdict& verdict) {
   const Message parts{GLISSADE_TEXT("%1 of %2 {2|part|parts} {1|has|have} no step, %3 {3|is|are} removed alone, %4 as "
@@ -358,7 +374,7 @@ Message countsInWords(const PlanVerdict& verdict) {
                       {verdict.remaining, verdict.parts, verdict.alone, verdict.asUnits, verdict.inGroups}};
   return {verdict.stepsWithoutProof() == 0 ? GLISSADE_TEXT("%1 of %2 {2|step|steps} {1|is|are} certified, %3")
                                            : GLISSADE_TEXT("%1 of %2 {2|step|steps} {1|is|are} as stated, %3"),
-          {verdict.validSteps(), verdict.steps.size(), parts}};
+          {verdict.validSteps(), stepsIn(verdict.steps), parts}};
 }
 
 Message headlineOf(const PlanVerdict& verdict, const Product& product) {
@@ -403,9 +419,9 @@ std::size_t screwHoles(const PlanVerdict& verdict) {
 
 void addSteps(const std::vector<StepVerdict>& steps, const std::string& group, StepsReport report,
               std::vector<Message>& lines) {
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    addStep(steps[i], stepNumber(i, steps.size(), group), report, lines);
-    report.left.insert(steps[i].bodies.begin(), steps[i].bodies.end());
+  for (const StepVerdict& step : steps) {
+    addStep(step, numberOf(step, stepsIn(steps), group), report, lines);
+    report.left.insert(step.bodies.begin(), step.bodies.end());
   }
 }
 
@@ -458,11 +474,10 @@ Report conditionsJson(const std::vector<Condition>& conditions) {
 
 Report stepsJson(const std::vector<StepVerdict>& steps, const std::string& group, const Product& product) {
   Report report = Report::array();
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    const StepVerdict& step = steps[i];
+  for (const StepVerdict& step : steps) {
     const MotionVerdict& motion = step.motion.verdict;
     const int nearest = motion.nearest.body;
-    report.push_back({{"number", stepNumber(i, steps.size(), group)},
+    report.push_back({{"number", stepNumber(step.number - 1, stepsIn(steps), group)},
                       {"body", step.bodies.empty() ? "" : step.bodies.front().text()},
                       {"valid", step.valid()},
                       {"certified", step.certified()},
@@ -475,6 +490,7 @@ Report stepsJson(const std::vector<StepVerdict>& steps, const std::string& group
                       {"nearest", nearest < 0 ? Report(nullptr)
                                               : Report(product.bodies[static_cast<std::size_t>(nearest)].id.text())},
                       {"allowances", allowancesJson(step.allowances)}});
+    if (step.motionNumber > 0) report.back()["motion"] = step.motionNumber;
     if (step.isFlexible) report.back()["flexible"] = true;
     if (!step.pulls.empty()) report.back()["pulls"] = textsOf(step.pulls);
     if (!step.notes.empty()) report.back()["notes"] = textsOf(step.notes);

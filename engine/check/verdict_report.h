@@ -18,7 +18,9 @@ nlohmann::ordered_json reportJson(const PathVerdict& verdict, const Question& qu
 std::string reportText(const PlanVerdict& verdict, const Product& product, const MessageStyle& style = {});
 nlohmann::ordered_json reportJson(const PlanVerdict& verdict, const Product& product);
 
-/// The reason why a step is not valid; empty if it is valid.
+/// The reason why a motion is not valid; empty if it is valid.
 Message whyInvalid(const StepVerdict& step, const Product& product);
+/// The reasons why the motions of the plan's step with this number are not valid; empty if it is valid.
+Message whyInvalid(const PlanVerdict& verdict, std::size_t step, const Product& product);
 
 }  // namespace glissade::check

@@ -16,8 +16,10 @@ using TextsById = std::map<BodyId, std::string>;
 
 void addDesignations(const std::vector<AssemblyStep>& steps, TextsById& designations) {
   for (const AssemblyStep& step : steps) {
-    for (const StepJoint& joint : step.joints) {
-      if (!joint.designation.empty()) designations[joint.body] = joint.designation;
+    for (const StepMotion& motion : step.motions) {
+      for (const StepJoint& joint : motion.joints) {
+        if (!joint.designation.empty()) designations[joint.body] = joint.designation;
+      }
     }
   }
 }

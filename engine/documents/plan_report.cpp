@@ -151,7 +151,7 @@ class Composer {
       table.columns.push_back({say(GLISSADE_TEXT("Hand access, sampled")), ReportColumn::Kind::Prose});
     for (std::size_t i = line.steps.size(); i > 0; --i) {
       const AssemblyStep& step = line.steps[i - 1];
-      const std::string tool = plain_.tool(step, content_.product);
+      const std::string tool = plain_.tool(step.opening(), content_.product);
       table.rows.push_back({stepNumber(line.steps.size() - i, number), nameOfStep(step, content_.product),
                             plain_.work(step, content_.product, PlanOrder::Assembly), tool.empty() ? kDash : tool});
       if (!access.empty()) table.rows.back().push_back(access[i - 1]);
@@ -221,16 +221,26 @@ class Composer {
   Rows factsOf(const Steps& steps, const std::vector<BodyId>& bodies, std::size_t place) const {
     const AssembledProduct& product = content_.product;
     Rows rows{{say(GLISSADE_TEXT("Full name")), namesOf(bodies)}};
-    const auto motionOf = [&](const AssemblyStep& step) { return Texts{plain_.motion(step, PlanOrder::Assembly)}; };
+    const auto eachMotion = [](const AssemblyStep& step, const auto& textOf) {
+      Texts texts;
+      for (const StepMotion* motion : motionsOf(step, PlanOrder::Assembly)) texts.push_back(textOf(*motion));
+      return texts;
+    };
+    const auto pathsOf = [&](const AssemblyStep& step) {
+      return eachMotion(step, [&](const StepMotion& motion) { return plain_.path(motion, PlanOrder::Assembly); });
+    };
     addRows(
         say(GLISSADE_TEXT("Work")), steps, [&](const AssemblyStep& step) { return workOf(step, steps); }, rows);
-    addRows(say(GLISSADE_TEXT("Motion")), steps, motionOf, rows);
+    addRows(say(GLISSADE_TEXT("Motion")), steps, pathsOf, rows);
     addRows(
-        say(GLISSADE_TEXT("Clearance")), steps, [&](const AssemblyStep& step) { return Texts{clearanceText(step)}; },
+        say(GLISSADE_TEXT("Clearance")), steps,
+        [&](const AssemblyStep& step) {
+          return eachMotion(step, [&](const StepMotion& motion) { return clearanceText(motion); });
+        },
         rows);
     addRows(
-        say(GLISSADE_TEXT("Tool")), steps, [&](const AssemblyStep& step) { return Texts{plain_.tool(step, product)}; },
-        rows);
+        say(GLISSADE_TEXT("Tool")), steps,
+        [&](const AssemblyStep& step) { return Texts{plain_.tool(step.opening(), product)}; }, rows);
     for (std::size_t at = place; !content_.access.steps.empty() && at < place + steps.size(); ++at) {
       const std::string& text = content_.access.steps[content_.plan.steps.size() - 1 - at];
       if (rows.back().back() != text) rows.push_back({say(GLISSADE_TEXT("Hand access, sampled")), text});
@@ -250,8 +260,10 @@ class Composer {
     }
     addRows(
         say(GLISSADE_TEXT("Found by")), steps,
-        [this](const AssemblyStep& step) {
-          return Texts{toString(methodInWords(step.method), plain_.words().language())};
+        [&](const AssemblyStep& step) {
+          return eachMotion(step, [&](const StepMotion& motion) {
+            return toString(methodInWords(motion.method), plain_.words().language());
+          });
         },
         rows);
     for (std::size_t at = place; at < place + steps.size(); ++at) {
@@ -277,7 +289,11 @@ class Composer {
   /// Precondition: the step is one of the plan's steps.
   Texts allowancesOf(const AssemblyStep& step) const {
     const auto at = static_cast<std::size_t>(&step - content_.plan.steps.data());
-    const Texts allowances = plain_.allowances(allowancesInOrder(content_.plan.steps, at), content_.product);
+    Texts allowances;
+    for (const StepMotion* motion : motionsOf(step, PlanOrder::Assembly)) {
+      const Texts own = plain_.allowances(allowancesInOrder(content_.plan.steps, at, *motion), content_.product);
+      allowances.insert(allowances.end(), own.begin(), own.end());
+    }
     return allowances.empty() ? Texts{say(GLISSADE_TEXT("none"))} : allowances;
   }
 
@@ -291,11 +307,11 @@ class Composer {
                                           : GLISSADE_TEXT("the independent check does not agree"));
   }
 
-  std::string clearanceText(const AssemblyStep& step) const {
-    if (step.proof.nearest.empty()) return say(GLISSADE_TEXT("no part is near"));
+  std::string clearanceText(const StepMotion& motion) const {
+    if (motion.proof.nearest.empty()) return say(GLISSADE_TEXT("no part is near"));
     return say(GLISSADE_TEXT("at least %1, smallest %2 to %3"),
-               {plain_.length(step.proof.provedClearance), plain_.length(step.proof.minClearance),
-                nameOf(step.proof.nearest)});
+               {plain_.length(motion.proof.provedClearance), plain_.length(motion.proof.minClearance),
+                nameOf(motion.proof.nearest)});
   }
 
   void addStuck() {

@@ -35,36 +35,39 @@ class FullNames {
   std::vector<std::string> paths_;
 };
 
+/// Adds a row for each motion of the step.
 void addStep(CsvTable& table, const std::vector<AssemblyStep>& steps, std::size_t at, const AssembledProduct& product,
              const FullNames& nameOf, PlanOrder order) {
   const AssemblyStep& step = steps[at];
   const PlanWords words(Language::English, inMillimetres);
-  double length = 0.0;
-  double turn = 0.0;
-  for (const MotionLeg& leg : legsOf(step.path)) {
-    length += leg.length;
-    turn += leg.turn;
-  }
-  table.row();
-  table.number(static_cast<double>(steps.size() - at));
-  std::string parts;
-  for (const BodyId& id : step.bodies()) parts += (parts.empty() ? "" : "; ") + nameOf(id);
-  table.text(parts);
-  table.text(step.method);
-  table.text(words.motion(step, order));
-  table.number(length);
-  table.number(turn);
-  table.number(finite(step.proof.provedClearance));
-  table.number(finite(step.proof.minClearance));
-  table.text(step.proof.nearest.empty() ? "" : nameOf(step.proof.nearest));
-  table.number(largestAllowance(allowancesInOrder(steps, at)));
-  table.number(static_cast<double>(step.wave));
-  table.text("");
-  table.text(words.tool(step, product));
-  table.text(words.standing(step, product));
   std::string forced;
   for (const std::string& text : words.violations(step, product)) forced += (forced.empty() ? "" : "; ") + text;
-  table.text(forced);
+  for (const StepMotion* motion : motionsOf(step, order)) {
+    double length = 0.0;
+    double turn = 0.0;
+    for (const MotionLeg& leg : legsOf(motion->path)) {
+      length += leg.length;
+      turn += leg.turn;
+    }
+    table.row();
+    table.number(static_cast<double>(steps.size() - at));
+    std::string parts;
+    for (const BodyId& id : motion->bodies()) parts += (parts.empty() ? "" : "; ") + nameOf(id);
+    table.text(parts);
+    table.text(motion->method);
+    table.text(words.path(*motion, order));
+    table.number(length);
+    table.number(turn);
+    table.number(finite(motion->proof.provedClearance));
+    table.number(finite(motion->proof.minClearance));
+    table.text(motion->proof.nearest.empty() ? "" : nameOf(motion->proof.nearest));
+    table.number(largestAllowance(allowancesInOrder(steps, at, *motion)));
+    table.number(static_cast<double>(step.wave));
+    table.text("");
+    table.text(words.tool(*motion, product));
+    table.text(words.standing(step, product));
+    table.text(forced);
+  }
 }
 
 void addStuck(CsvTable& table, const StuckBody& stuck, const FullNames& nameOf) {

@@ -10,7 +10,7 @@ namespace {
 /// Cosine of the largest angle between two motions of the same direction.
 constexpr double kSameDirection = 0.99;
 
-bool isOneKind(const AssemblyStep& a, const AssemblyStep& b, const std::vector<PartsListRow>& parts) {
+bool isOneKind(const StepMotion& a, const StepMotion& b, const std::vector<PartsListRow>& parts) {
   return std::any_of(parts.begin(), parts.end(), [&](const PartsListRow& row) {
     const auto has = [&row](const BodyId& id) {
       return std::find(row.bodies.begin(), row.bodies.end(), id) != row.bodies.end();
@@ -19,7 +19,7 @@ bool isOneKind(const AssemblyStep& a, const AssemblyStep& b, const std::vector<P
   });
 }
 
-bool areAlike(const AssemblyStep& a, const AssemblyStep& b, const std::vector<PartsListRow>& parts) {
+bool areAlike(const StepMotion& a, const StepMotion& b, const std::vector<PartsListRow>& parts) {
   const bool haveJoints = !a.joints.empty() && !b.joints.empty();
   const bool areJoinedAlike =
       haveJoints ? a.joints.front().kind == b.joints.front().kind : a.joints.empty() && b.joints.empty();
@@ -27,11 +27,17 @@ bool areAlike(const AssemblyStep& a, const AssemblyStep& b, const std::vector<Pa
          exitDirection(a.path).dot(exitDirection(b.path)) > kSameDirection;
 }
 
+bool areAlike(const AssemblyStep& a, const AssemblyStep& b, const std::vector<PartsListRow>& parts) {
+  return std::equal(a.motions.begin(), a.motions.end(), b.motions.begin(), b.motions.end(),
+                    [&](const StepMotion& one, const StepMotion& other) { return areAlike(one, other, parts); });
+}
+
+bool bringsGroup(const AssemblyStep& step) { return !step.motions.front().with.empty(); }
+
 }  // namespace
 
 std::vector<TaskRange> taskRanges(const std::vector<AssemblyStep>& steps, const std::vector<PartsListRow>& parts) {
   std::vector<TaskRange> ranges;
-  const auto bringsGroup = [](const AssemblyStep& step) { return !step.with.empty(); };
   for (std::size_t place = 0; place < steps.size(); ++place) {
     const AssemblyStep& step = stepAtPlace(steps, place);
     const auto goesOnWith = [&](const AssemblyStep& before) {

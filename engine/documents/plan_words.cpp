@@ -35,17 +35,23 @@ std::string degrees(double radians) { return decimals(radians * 180.0 / std::aco
 
 /// The size of the tool for the hexagon that it turns, in millimetres or inches: " 2.5", " 3/16″". The hexagon's size
 /// where no tool has that size; empty where it is not known.
-std::string sizeOfTool(const AssemblyStep& step, Language language) {
+std::string sizeOfTool(const StepMotion& motion, Language language) {
   constexpr double kTenths = 1e4;  // tenths of a millimetre per metre
-  for (const StepJoint& joint : step.joints) {
+  for (const StepJoint& joint : motion.joints) {
     const bool isHexagon = joint.drive == DriveKind::HexSocket || joint.drive == DriveKind::HexOutside;
-    if (joint.body != step.body || !isHexagon || joint.driveSize <= 0.0) continue;
+    if (joint.body != motion.body || !isHexagon || joint.driveSize <= 0.0) continue;
     const auto key = keyFor(joint.drive, joint.driveSize);
     if (key && key->inches[0] != '\0') return std::string(" ") + key->inches + "″";
     const double tenths = std::round(kTenths * (key ? key->size : joint.driveSize));
     return " " + decimals(0.1 * tenths, std::fmod(tenths, 10.0) == 0.0 ? 0 : 1, language);
   }
   return {};
+}
+
+std::string listed(const std::vector<std::string>& texts) {
+  std::string all;
+  for (const std::string& each : texts) all += (all.empty() ? "" : "; ") + each;
+  return all;
 }
 
 /// The designation of the fastener, else the size of its thread, else its name, so that equal fasteners have the same
@@ -80,27 +86,37 @@ std::string PlanWords::someOf(const std::vector<BodyId>& ids, const AssembledPro
                               : words_(GLISSADE_TEXT("%1 and %2 more"), {text, std::to_string(ids.size() - kNamed)});
 }
 
-std::string PlanWords::toolName(const AssemblyStep& step) const {
+std::string PlanWords::nameOf(ToolKind kind) const {
   static constexpr std::array<CatalogueText, 5> kTools{CatalogueText{""}, GLISSADE_TEXT("hex key"),
                                                        GLISSADE_TEXT("socket"), GLISSADE_TEXT("screwdriver"),
                                                        GLISSADE_TEXT("open wrench")};
-  if (step.tool.kind == ToolKind::None) return {};
-  const std::string name = words_(kTools[static_cast<std::size_t>(step.tool.kind)]);
-  return step.tool.turned.empty() ? name + sizeOfTool(step, words_.language()) : name;
+  return kind == ToolKind::None ? std::string() : words_(kTools[static_cast<std::size_t>(kind)]);
 }
 
-std::string PlanWords::tool(const AssemblyStep& step, const AssembledProduct& product) const {
-  const std::string name = toolName(step);
-  if (!step.tool.turned.empty()) {
+std::string PlanWords::toolName(const StepMotion& motion) const {
+  if (motion.tool.kind == ToolKind::None) return {};
+  const std::string name = nameOf(motion.tool.kind);
+  return motion.tool.turned.empty() ? name + sizeOfTool(motion, words_.language()) : name;
+}
+
+std::string PlanWords::tool(const StepMotion& motion, const AssembledProduct& product) const {
+  std::string text = toolName(motion);
+  if (!motion.tool.turned.empty()) {
     return words_(GLISSADE_TEXT("%1 at %2, %3 is held"),
-                  {name, someOf({step.tool.turned}, product), someOf({step.body}, product)});
+                  {text, someOf({motion.tool.turned}, product), someOf({motion.body}, product)});
   }
-  if (step.tool.access != ToolAccess::Blocked) return name;
-  return words_(GLISSADE_TEXT("%1, blocked by %2"), {name, someOf(step.tool.blockedBy, product)});
+  if (motion.tool.access == ToolAccess::Blocked) {
+    text = words_(GLISSADE_TEXT("%1, blocked by %2"), {text, someOf(motion.tool.blockedBy, product)});
+  }
+  if (motion.tool.held.empty()) return text;
+  const std::string held = someOf({motion.tool.held}, product);
+  if (motion.tool.heldWith == ToolKind::None) return words_(GLISSADE_TEXT("%1, %2 is held"), {text, held});
+  return words_(GLISSADE_TEXT("%1, %2 is held (%3)"), {text, held, heldWith(motion)});
 }
 
 std::string PlanWords::standing(const AssemblyStep& step, const AssembledProduct& product) const {
-  return step.falling.empty() ? std::string() : words_(GLISSADE_TEXT("hold %1"), {someOf(step.falling, product)});
+  const std::vector<BodyId> falling = step.falling();
+  return falling.empty() ? std::string() : words_(GLISSADE_TEXT("hold %1"), {someOf(falling, product)});
 }
 
 std::vector<std::string> PlanWords::violations(const AssemblyStep& step, const AssembledProduct& product) const {
@@ -124,11 +140,11 @@ std::vector<std::string> PlanWords::violations(const AssemblyStep& step, const A
   return texts;
 }
 
-std::vector<std::string> PlanWords::joints(const AssemblyStep& step, const AssembledProduct& product,
+std::vector<std::string> PlanWords::joints(const StepMotion& motion, const AssembledProduct& product,
                                            PlanOrder order) const {
   std::vector<std::string> texts;
-  for (const StepJoint& each : step.joints) {
-    std::string text = joint(each, step, product, order);
+  for (const StepJoint& each : motion.joints) {
+    std::string text = joint(each, motion, product, order);
     const bool isNew = std::find(texts.begin(), texts.end(), text) == texts.end();
     if (isNew && !text.empty()) texts.push_back(std::move(text));
   }
@@ -140,16 +156,20 @@ std::string PlanWords::base(const AssemblyPlan& plan, const AssembledProduct& pr
 }
 
 std::string PlanWords::work(const AssemblyStep& step, const AssembledProduct& product, PlanOrder order) const {
-  std::string text;
-  for (const std::string& each : joints(step, product, order)) text += (text.empty() ? "" : "; ") + each;
-  return text.empty() ? motion(step, order) : text;
+  std::vector<std::string> texts;
+  for (const StepMotion* motion : motionsOf(step, order)) {
+    std::vector<std::string> own = joints(*motion, product, order);
+    if (own.empty()) own = {path(*motion, order)};
+    texts.insert(texts.end(), own.begin(), own.end());
+  }
+  return listed(texts);
 }
 
 /// The work on a joint. If a shaft turns out of a nut, the text names the nut.
-std::string PlanWords::joint(const StepJoint& joint, const AssemblyStep& step, const AssembledProduct& product,
+std::string PlanWords::joint(const StepJoint& joint, const StepMotion& motion, const AssembledProduct& product,
                              PlanOrder order) const {
   const bool removal = order == PlanOrder::Removal;
-  const std::vector<BodyId> bodies = step.bodies();
+  const std::vector<BodyId> bodies = motion.bodies();
   const bool isOwn = std::find(bodies.begin(), bodies.end(), joint.body) != bodies.end();
   const std::string what = isOwn ? fastenerText(joint, product) : shownNameOf(joint.body, product);
   const std::string turns = decimals(joint.turns, 1, words_.language());
@@ -192,9 +212,9 @@ std::string PlanWords::joint(const StepJoint& joint, const AssemblyStep& step, c
 }
 
 /// Describes a screw motion; its turns are one leg.
-std::string PlanWords::turnedMotion(const AssemblyStep& step, PlanOrder order) const {
-  const MotionLeg last = legsOf(step.path).back();
-  const std::string turns = decimals(step.joints.front().turns, 1, words_.language());
+std::string PlanWords::turnedPath(const StepMotion& motion, PlanOrder order) const {
+  const MotionLeg last = legsOf(motion.path).back();
+  const std::string turns = decimals(motion.joints.front().turns, 1, words_.language());
   const bool removal = order == PlanOrder::Removal;
   const Vector3 way = removal ? last.direction : Vector3(-last.direction);
   const std::string straight = direction(way) + ", " + length_(last.length);
@@ -204,8 +224,14 @@ std::string PlanWords::turnedMotion(const AssemblyStep& step, PlanOrder order) c
 }
 
 std::string PlanWords::motion(const AssemblyStep& step, PlanOrder order) const {
-  if (!step.joints.empty() && step.joints.front().turns > 0.0) return turnedMotion(step, order);
-  const auto removal = legsOf(step.path);
+  std::vector<std::string> texts;
+  for (const StepMotion* motion : motionsOf(step, order)) texts.push_back(path(*motion, order));
+  return listed(texts);
+}
+
+std::string PlanWords::path(const StepMotion& motion, PlanOrder order) const {
+  if (!motion.joints.empty() && motion.joints.front().turns > 0.0) return turnedPath(motion, order);
+  const auto removal = legsOf(motion.path);
   const auto legs = order == PlanOrder::Assembly ? reversed(removal) : removal;
   if (legs.empty()) return words_(GLISSADE_TEXT("does not move"));
   if (legs.size() > kMostLegs) {
@@ -215,7 +241,7 @@ std::string PlanWords::motion(const AssemblyStep& step, PlanOrder order) const {
       length += leg.length;
       turn += leg.turn;
     }
-    const Vector3 towards = exitDirection(step.path);
+    const Vector3 towards = exitDirection(motion.path);
     const std::string travelled = turn > 0.01 ? length_(length) + ", " + degrees(turn) : length_(length);
     return order == PlanOrder::Removal
                ? words_(GLISSADE_TEXT("around obstacles, %1, out %2"), {travelled, direction(towards)})
@@ -269,8 +295,8 @@ std::vector<std::string> PlanWords::allowances(const std::vector<Allowance>& all
 
 std::string nameOfStep(const AssemblyStep& step, const AssembledProduct& product) {
   std::string names;
-  for (const std::size_t body : bodiesOf(step, product)) {
-    names += (names.empty() ? "" : ", ") + product.bodies[body].shown();
+  for (const StepMotion* motion : motionsOf(step, PlanOrder::Assembly)) {
+    for (const BodyId& id : motion->bodies()) names += (names.empty() ? "" : ", ") + shownNameOf(id, product);
   }
   return names;
 }

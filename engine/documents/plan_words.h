@@ -36,16 +36,21 @@ class PlanWords {
   std::string direction(const Vector3& direction) const;
   /// The bodies that stay.
   std::string base(const AssemblyPlan& plan, const AssembledProduct& product) const;
-  /// The motion of a step: "up (+Z), 62.0 mm". In the order of assembly the reversed motion is described.
+  /// The path of a motion: "up (+Z), 62.0 mm". In the order of assembly the reversed path is described.
+  std::string path(const StepMotion& motion, PlanOrder order) const;
+  /// The paths of the motions of a step.
   std::string motion(const AssemblyStep& step, PlanOrder order) const;
-  /// The work on the joints of a step, one entry for each: "turn out screw ISO 4762 M3x8, 9.5 turns".
-  std::vector<std::string> joints(const AssemblyStep& step, const AssembledProduct& product, PlanOrder order) const;
-  /// The work of a step in one line: joints(), or the motion where the step has no joint.
+  /// The work on the joints of a motion, one entry for each: "turn out screw ISO 4762 M3x8, 9.5 turns".
+  std::vector<std::string> joints(const StepMotion& motion, const AssembledProduct& product, PlanOrder order) const;
+  /// The work of a step in one line: for each motion joints(), or its path where it has no joint.
   std::string work(const AssemblyStep& step, const AssembledProduct& product, PlanOrder order) const;
-  /// The tool: "hex key 2.5"; empty where the step needs none.
-  std::string toolName(const AssemblyStep& step) const;
-  /// The tool, with the bodies that block it: "socket 13, blocked by plate".
-  std::string tool(const AssemblyStep& step, const AssembledProduct& product) const;
+  /// The tool that holds the other side of the joint: "hex key"; empty where none is known.
+  std::string heldWith(const StepMotion& motion) const { return nameOf(motion.tool.heldWith); }
+  /// The tool: "hex key 2.5"; empty where the motion needs none.
+  std::string toolName(const StepMotion& motion) const;
+  /// The tool, with the bodies that block it: "socket 13, blocked by plate"; and with what is held: "socket 13, bolt
+  /// is held (hex key)".
+  std::string tool(const StepMotion& motion, const AssembledProduct& product) const;
   /// The parts that must be held: "hold rod, bolt and 3 more"; empty where no part falls.
   std::string standing(const AssemblyStep& step, const AssembledProduct& product) const;
   /// The rules that a step violates at the place that a person has given it, one entry for each: "nuts still on it:
@@ -55,16 +60,17 @@ class PlanWords {
   std::vector<std::string> allowances(const std::vector<Allowance>& allowances, const AssembledProduct& product) const;
 
  private:
-  std::string joint(const StepJoint& joint, const AssemblyStep& step, const AssembledProduct& product,
+  std::string joint(const StepJoint& joint, const StepMotion& motion, const AssembledProduct& product,
                     PlanOrder order) const;
-  std::string turnedMotion(const AssemblyStep& step, PlanOrder order) const;
+  std::string turnedPath(const StepMotion& motion, PlanOrder order) const;
+  std::string nameOf(ToolKind kind) const;
   std::string someOf(const std::vector<BodyId>& ids, const AssembledProduct& product) const;
 
   DocumentWords words_;
   LengthText length_;
 };
 
-/// Short names of the bodies that leave in a step: "bolt", or "bolt, nut" for a group.
+/// Short names of the bodies of a step, in the order of assembly: "bolt", or "bolt, washer, nut".
 std::string nameOfStep(const AssemblyStep& step, const AssembledProduct& product);
 
 /// The displayed name of the body with this id; the id where the product has no such body.

@@ -20,18 +20,18 @@ Message differenceOf(const ChangedPart& part) {
   return {GLISSADE_TEXT("moved by %1 and turned by %2 degrees"), {Length{part.moved}, shortText(degrees)}};
 }
 
-/// Reduces the allowances of a step to what the later revision bears. False if none was larger.
-bool reduceAllowances(const check::StepVerdict& verdict, AssemblyStep& step) {
+/// Reduces the allowances of a motion to what the later revision bears. False if none was larger.
+bool reduceAllowances(const check::StepVerdict& verdict, StepMotion& motion) {
   bool reduced = false;
   for (const check::AppliedAllowance& applied : verdict.allowances) {
-    for (Allowance& each : step.allowances) {
+    for (Allowance& each : motion.allowances) {
       const bool isOfPair = each.body == applied.other && (each.moving.empty() || each.moving == applied.moving);
       if (!isOfPair || each.yields != applied.yields || each.allowance <= applied.most) continue;
       each.allowance = applied.most;
       reduced = true;
     }
   }
-  std::erase_if(step.allowances, [](const Allowance& each) { return each.allowance <= 0.0; });
+  std::erase_if(motion.allowances, [](const Allowance& each) { return each.allowance <= 0.0; });
   return reduced;
 }
 
@@ -40,8 +40,10 @@ check::PlanVerdict judgeCarried(CarriedPlan& carried, const ProductFile& now, co
   const auto judge = [&] { return judgePlan(carried.plan, now.product, std::nullopt, {stop}, &now.demands); };
   check::PlanVerdict verdict = judge();
   bool reduced = false;
-  for (std::size_t i = 0; i < verdict.steps.size(); ++i) {
-    if (!verdict.steps[i].valid()) reduced = reduceAllowances(verdict.steps[i], carried.plan.steps[i]) || reduced;
+  for (const check::StepVerdict& each : verdict.steps) {
+    if (each.valid()) continue;
+    std::vector<StepMotion>& motions = carried.plan.steps[each.number - 1].motions;
+    reduced = reduceAllowances(each, motions[each.motionNumber == 0 ? 0 : each.motionNumber - 1]) || reduced;
   }
   return reduced ? judge() : verdict;
 }
@@ -73,9 +75,9 @@ ComparedPlan comparePlan(const AssemblyPlan& plan, const AssembledProduct& befor
     if (kept == carried.from.end()) {
       step.why = GLISSADE_TEXT("a part of it is gone");
     } else {
-      const auto& found = verdict.steps[static_cast<std::size_t>(kept - carried.from.begin())];
-      step.holds = found.valid();
-      step.why = check::whyInvalid(found, judged);
+      const auto number = static_cast<std::size_t>(kept - carried.from.begin()) + 1;
+      step.holds = verdict.isValid(number);
+      step.why = check::whyInvalid(verdict, number, judged);
       for (const std::size_t body : product.indicesOf(plan.steps[i].bodies())) hasStep[body] = true;
     }
     compared.steps.push_back(std::move(step));

@@ -46,9 +46,9 @@ check::StatedProof judgedProof(const StepProof& proof) {
   return {proof.afterSteps, proof.required, proof.provedClearance, proof.minClearance, proof.nearest};
 }
 
-check::Step judgedStep(const AssemblyStep& step) {
-  check::Step judged{step.bodies(), judgedPoints(step.path), step.after, {}, {}, step.certified};
-  for (const Allowance& each : step.allowances) {
+check::Step judgedMotion(const StepMotion& motion, const AssemblyStep& step) {
+  check::Step judged{motion.bodies(), judgedPoints(motion.path), step.after, {}, {}, motion.certified};
+  for (const Allowance& each : motion.allowances) {
     check::StatedAllowance allowance{each.moving, each.body, each.allowance, each.yields};
     allowance.hollow = each.hollow;
     allowance.core = each.core;
@@ -62,14 +62,31 @@ check::Step judgedStep(const AssemblyStep& step) {
     judged.allowances.push_back(std::move(allowance));
   }
   for (const StepViolation& each : step.violates) judged.violates.push_back({kRuleNames.of(each.rule), each.bodies});
-  judged.flexible = step.with.empty() && std::any_of(step.joints.begin(), step.joints.end(), [&](const auto& joint) {
-                      return joint.kind == JointKind::Flexible && joint.body == step.body;
-                    });
-  for (const StepJoint& joint : step.joints) judged.joints.push_back(judgedJoint(joint));
-  if (step.proof.required > 0.0) judged.proof = judgedProof(step.proof);
-  judged.unit = step.unit;
+  judged.flexible =
+      motion.with.empty() && std::any_of(motion.joints.begin(), motion.joints.end(), [&](const auto& joint) {
+        return joint.kind == JointKind::Flexible && joint.body == motion.body;
+      });
+  for (const StepJoint& joint : motion.joints) judged.joints.push_back(judgedJoint(joint));
+  if (motion.proof.required > 0.0) judged.proof = judgedProof(motion.proof);
+  judged.unit = motion.unit;
   judged.wave = step.wave;
   judged.task = step.task;
+  return judged;
+}
+
+/// The motions of all steps.
+std::vector<check::Step> judgedSteps(const std::vector<AssemblyStep>& steps) {
+  std::vector<check::Step> judged;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const bool isOnly = steps[i].motions.size() == 1;
+    for (const StepMotion& motion : steps[i].motions) {
+      check::Step own = judgedMotion(motion, steps[i]);
+      own.number = i + 1;
+      const bool isFirst = judged.empty() || judged.back().number != own.number;
+      if (!isOnly) own.motion = isFirst ? 1 : judged.back().motion + 1;
+      judged.push_back(std::move(own));
+    }
+  }
   return judged;
 }
 
@@ -104,8 +121,7 @@ check::JointWords jointWordsOf(const std::vector<JointEdit>& edits) {
 }
 
 check::Line judgedLine(const SubassemblyLine& line) {
-  check::Line judged{line.step, line.bodies, line.staying, {}, {}};
-  for (const AssemblyStep& step : line.steps) judged.steps.push_back(judgedStep(step));
+  check::Line judged{line.step, line.bodies, line.staying, judgedSteps(line.steps), {}};
   for (const SubassemblyLine& below : line.lines) judged.lines.push_back(judgedLine(below));
   return judged;
 }
@@ -131,7 +147,7 @@ check::Plan judgedPlan(const AssemblyPlan& plan) {
   check::Plan judged;
   judged.bodies = plan.bodies;
   judged.staying = plan.staying;
-  for (const AssemblyStep& step : plan.steps) judged.steps.push_back(judgedStep(step));
+  judged.steps = judgedSteps(plan.steps);
   judged.end = kPlanEndNames.of(plan.end);
   judged.demands = judgedDemands(plan.demands);
   judged.snaps = bendsOf(plan.demands.joints);

@@ -27,7 +27,7 @@ Result<AssemblyPlan> parsePlan(const std::string& text, const std::string& file)
   if (!document) return document.error();
   const ChecksumState checksum = takeChecksum(*document);
   try {
-    AssemblyPlan plan = kObject<PlanDocument>.read(JsonCursor(*document, file, "")).plan;
+    AssemblyPlan plan = PlanDocumentFormat().read(JsonCursor(*document, file, "")).plan;
     if (checksum == ChecksumState::Wrong) {
       return wrongChecksum(file, GLISSADE_TEXT("Plan again. To use an edited plan, remove its checksum."));
     }

@@ -11,6 +11,7 @@
 
 #include "engine/base/message_json.h"
 #include "engine/files/plan_file.h"
+#include "engine/files/plan_upgrade.h"
 #include "engine/files/sequence_json.h"
 #include "engine/fits/contact_report.h"
 #include "engine/geometry/pose_json.h"
@@ -93,24 +94,24 @@ constexpr Accessor kReasonAsData{[](const StuckBody& stuck) { return stuck.reaso
                                    if (toString(data) == toString(stuck.reason)) stuck.reason = std::move(data);
                                  }};
 
-/// The certificate of a step: its proof, and whether the motion is proved at all.
+/// The certificate of a motion: its proof, and whether the motion is proved at all.
 struct StepCertificate : StepProof {
   bool certified = true;
 };
 
-constexpr Accessor kCertificate{[](const AssemblyStep& step) {
-                                  return StepCertificate{step.proof, step.certified};
+constexpr Accessor kCertificate{[](const StepMotion& motion) {
+                                  return StepCertificate{motion.proof, motion.certified};
                                 },
-                                [](AssemblyStep& step, const StepCertificate& read) {
-                                  step.proof = static_cast<const StepProof&>(read);
-                                  step.certified = read.certified;
+                                [](StepMotion& motion, const StepCertificate& read) {
+                                  motion.proof = static_cast<const StepProof&>(read);
+                                  motion.certified = read.certified;
                                 }};
 
-constexpr Accessor kBodies{[](const AssemblyStep& step) { return step.bodies(); },
-                           [](AssemblyStep& step, std::vector<BodyId> ids) {
+constexpr Accessor kBodies{[](const StepMotion& motion) { return motion.bodies(); },
+                           [](StepMotion& motion, std::vector<BodyId> ids) {
                              if (ids.empty()) return;
-                             step.body = ids.front();
-                             step.with.assign(ids.begin() + 1, ids.end());
+                             motion.body = ids.front();
+                             motion.with.assign(ids.begin() + 1, ids.end());
                            }};
 
 bool isThreaded(const StepJoint& joint) { return joint.pitch != 0.0; }
@@ -126,8 +127,8 @@ void checkPitch(const Allowance& allowance, const JsonCursor& at) {
 template <class Archive>
 void describe(Archive& proof, Type<StepCertificate> /*type*/) {
   proof.type("certificate",
-             "The motion keeps the required clearance from all bodies that are there after so many steps of the plan. "
-             "Null: no body is there.");
+             "The motion keeps the required clearance from all bodies that are there after so many steps of the plan "
+             "and the earlier motions of its step. Null: no body is there.");
   proof.required("status", &StepCertificate::certified, named(kStatusNames),
                  "not_certified: the motion of a flexible body is not proved.");
   proof.required("after_steps", &StepProof::afterSteps, kCount);
@@ -174,7 +175,7 @@ void describe(Archive& allowance, Type<Allowance> /*type*/) {
   allowance.required("allowance_m", &Allowance::allowance, kLengthOrZero);
   allowance.required("text", &Allowance::text, kEnglish);
   allowance.optional("moving", &Allowance::moving, kBodyId,
-                     "The body of the step that has the fit. Absent: the first one.");
+                     "The body of the motion that has the fit. Absent: the first one.");
   allowance.optional("yields", &Allowance::yields, kBoolean, "The other body is taken thinner, not the moving one.");
   allowance.optional("hollow", &Allowance::hollow, kBoolean,
                      "The volume that the other body of the pair fills is taken away from the thinner one: a clash "
@@ -194,14 +195,18 @@ void describe(Archive& allowance, Type<Allowance> /*type*/) {
 
 template <class Archive>
 void describe(Archive& tool, Type<StepTool> /*type*/) {
-  tool.type("tool",
-            "The tool that turns the fastener, and whether it can be brought on when the step begins. Absent: none is "
-            "needed.");
+  tool.type(
+      "tool",
+      "The tool that turns the fastener, and whether it can be brought on when the motion begins. Absent: none is "
+      "needed.");
   tool.required("kind", &StepTool::kind, named(kToolNames));
   tool.required("access", &StepTool::access, named(kAccessNames));
   tool.optional("blocked_by", &StepTool::blockedBy, kIds);
   tool.optional("turned", &StepTool::turned, kBodyId,
-                "Id of the bolt that the tool turns while the nut of the step is held. Absent: it turns the fastener.");
+                "Id of the bolt that the tool turns while the nut is held. Absent: it turns the fastener.");
+  tool.optional("held", &StepTool::held, kBodyId,
+                "Id of the nut or bolt on the other side of the joint, which is held. Absent: none.");
+  tool.optional("held_with", &StepTool::heldWith, named(kToolNames));
 }
 
 template <class Archive>
@@ -231,40 +236,48 @@ void describe(Archive& joint, Type<StepJoint> /*type*/) {
   joint.optional("pitch_m", &StepJoint::pitch, kCoordinate, "Metres a turn; below 0: left-handed.", isThreaded);
   joint.optional("pitch_stated", &StepJoint::isPitchStated, kBoolean,
                  "The pitch is modelled, or a person states it; else it is the coarse pitch of ISO 261.", isThreaded);
-  joint.optional("turns", &StepJoint::turns, kLengthOrZero, "Full turns of the step's motion.", isThreaded);
+  joint.optional("turns", &StepJoint::turns, kLengthOrZero, "Full turns of the motion.", isThreaded);
+}
+
+template <class Archive>
+void describe(Archive& motion, Type<StepMotion> /*type*/) {
+  motion.type("motion");
+  motion.required("bodies", kBodies, listOf(kBodyId, 1), "The bodies that leave, several as one rigid body.");
+  motion.required("method", &StepMotion::method, kText,
+                  "straight, turned (out of a thread), by hand, flexible (not proved), or auto and the member that "
+                  "found the motion.");
+  motion.required("certificate", kCertificate, kObject<StepCertificate>);
+  motion.required("allowances", &StepMotion::allowances, kObjects<Allowance>);
+  motion.optional("falling", &StepMotion::falling, kIds,
+                  "Bodies that stand before the motion, and would tip or fall after it. Absent: none, or not asked.");
+  motion.optional("fastener", &StepMotion::fastener, named(kFastenerNames), "Kind of the body. Absent: no fastener.");
+  motion.optional("tool", &StepMotion::tool, kObject<StepTool>, "",
+                  [](const StepMotion& written) { return written.tool.kind != ToolKind::None; });
+  motion.required("path", &StepMotion::path, MotionFormat(),
+                  "Straight motions of a frame between these configurations. At the first one the product is "
+                  "assembled. The frame of a single body is at its reference point. A body of the motion is at "
+                  "X(t) X(0)^-1 X_WB, where X_WB is its assembled configuration.");
+  motion.optional("joints", &StepMotion::joints, kObjects<StepJoint>,
+                  "Joints that come apart by the motion. Absent: none.");
+  motion.optional("unit", &StepMotion::unit, kBoolean,
+                  "The bodies are one unit: joints hold them together, and the plan does not take them apart.");
 }
 
 template <class Archive>
 void describe(Archive& step, Type<AssemblyStep> /*type*/) {
   step.type("step");
-  step.required("bodies", kBodies, listOf(kBodyId, 1), "The bodies that leave, several as one rigid body.");
-  step.required("method", &AssemblyStep::method, kText,
-                "straight, turned (out of a thread), by hand, flexible (not proved), or auto and the member that found "
-                "the motion.");
   step.required("wave", &AssemblyStep::wave, kCount, "Steps of one wave were found together, from 1.");
   step.optional("after", &AssemblyStep::after, listOf(kCountFrom1),
                 "Numbers, from 1, of the steps that have to be carried out before. Absent: all earlier ones.",
                 Always());
-  step.required("certificate", kCertificate, kObject<StepCertificate>);
-  step.required("allowances", &AssemblyStep::allowances, kObjects<Allowance>);
-  step.optional("falling", &AssemblyStep::falling, kIds,
-                "Bodies that stand before the step, and would tip or fall after it. Absent: none, or not asked.");
-  step.optional("fastener", &AssemblyStep::fastener, named(kFastenerNames), "Kind of the body. Absent: no fastener.");
-  step.optional("tool", &AssemblyStep::tool, kObject<StepTool>, "",
-                [](const AssemblyStep& written) { return written.tool.kind != ToolKind::None; });
-  step.required("path", &AssemblyStep::path, MotionFormat(),
-                "Straight motions of a frame between these configurations. At the first one the product is assembled. "
-                "The frame of a single body is at its reference point. A body of the step is at X(t) X(0)^-1 X_WB, "
-                "where X_WB is its assembled configuration.");
+  step.required("motions", &AssemblyStep::motions, listOf(kObject<StepMotion>, 1),
+                "Motions that are carried out one after the other. Several: a fastener stack, such as nut, washer and "
+                "bolt.");
   step.optional("violates", &AssemblyStep::violates, kObjects<StepViolation>,
                 "Rules that a step breaks because a person has put it at its place. Absent: none.");
-  step.optional("joints", &AssemblyStep::joints, kObjects<StepJoint>,
-                "Joints that come apart by the step. Absent: none.");
   step.optional("task", &AssemblyStep::task, kCountFrom1,
                 "Steps of one task have the same number, from 1: alike screws that clamp the same bodies. Absent: the "
                 "step is a task alone.");
-  step.optional("unit", &AssemblyStep::unit, kBoolean,
-                "The bodies are one unit: joints hold them together, and the plan does not take them apart.");
 }
 
 template <class Archive>
@@ -332,7 +345,7 @@ void describe(Archive& plan, Type<AssemblyPlan> /*type*/) {
                 listOf(kObject<RefusedRemoval>, 0, kMostEffort * limits::kMostBodies));
   plan.optional("sequence", &AssemblyPlan::demands, kObject<SequenceDemands>,
                 "The demands and the knowledge, as in the section sequence of scenarios.");
-  plan.optional("waiting", &AssemblyPlan::waiting, kObjects<AssemblyStep>,
+  plan.optional("waiting", &AssemblyPlan::waiting, kObjects<StepMotion>,
                 "Motions of a plan that has not ended: they were found and wait, because bodies would fall.");
   plan.optional("lines", &AssemblyPlan::lines, kObjects<SubassemblyLine>,
                 "The disassembly of the groups that have left, by step. Absent: none.");
@@ -357,13 +370,12 @@ class PlanCheck {
   void checkSteps(std::vector<AssemblyStep>& steps, const JsonCursor& at) {
     for (std::size_t i = 0; i < steps.size(); ++i) {
       checkStep(steps[i], at.element(i));
-      for (const BodyId& id : steps[i].bodies()) gone_.insert(id);
       ++steps_;
     }
   }
 
-  void checkWaiting(std::vector<AssemblyStep>& steps, const JsonCursor& at) const {
-    for (std::size_t i = 0; i < steps.size(); ++i) checkStep(steps[i], at.element(i));
+  void checkWaiting(const std::vector<StepMotion>& motions, const JsonCursor& at) const {
+    for (std::size_t i = 0; i < motions.size(); ++i) checkMotion(motions[i], at.element(i));
   }
 
   void checkStuck(const std::vector<StuckBody>& stuck, const JsonCursor& list) const {
@@ -411,30 +423,38 @@ class PlanCheck {
     if (after > steps_) at.fail(GLISSADE_TEXT("is more than the steps before it"));
   }
 
-  void checkStep(AssemblyStep& step, const JsonCursor& at) const {
-    checkBodies(step, at.at("bodies"));
+  void checkStep(AssemblyStep& step, const JsonCursor& at) {
     completeAfter(step, at);
-    if (const auto tool = at.find("tool")) {
-      if (const auto blockers = tool->find("blocked_by")) expectKnown(step.tool.blockedBy, *blockers);
-      if (const auto turned = tool->find("turned")) expectKnown(step.tool.turned, *turned);
-    }
-    if (const auto falling = at.find("falling")) expectKnown(step.falling, *falling);
     for (std::size_t i = 0; i < step.violates.size(); ++i) {
       expectKnown(step.violates[i].bodies, at.at("violates").element(i).at("bodies"));
     }
-    const JsonCursor certificate = at.at("certificate");
-    expectBefore(step.proof.afterSteps, certificate.at("after_steps"));
-    if (!step.proof.nearest.empty()) expectKnown(step.proof.nearest, certificate.at("nearest"));
-    for (std::size_t i = 0; i < step.joints.size(); ++i) checkJoint(step.joints[i], at.at("joints").element(i));
-    for (std::size_t i = 0; i < step.allowances.size(); ++i) {
-      const JsonCursor allowance = at.at("allowances").element(i);
-      expectKnown(step.allowances[i].body, allowance.at("body"));
-      if (const auto moving = allowance.find("moving")) expectKnown(step.allowances[i].moving, *moving);
+    for (std::size_t i = 0; i < step.motions.size(); ++i) {
+      checkMotion(step.motions[i], at.at("motions").element(i));
+      for (const BodyId& id : step.motions[i].bodies()) gone_.insert(id);
     }
   }
 
-  void checkBodies(const AssemblyStep& step, const JsonCursor& at) const {
-    const std::vector<BodyId> ids = step.bodies();
+  void checkMotion(const StepMotion& motion, const JsonCursor& at) const {
+    checkBodies(motion, at.at("bodies"));
+    if (const auto tool = at.find("tool")) {
+      if (const auto blockers = tool->find("blocked_by")) expectKnown(motion.tool.blockedBy, *blockers);
+      if (const auto turned = tool->find("turned")) expectKnown(motion.tool.turned, *turned);
+      if (const auto held = tool->find("held")) expectKnown(motion.tool.held, *held);
+    }
+    if (const auto falling = at.find("falling")) expectKnown(motion.falling, *falling);
+    const JsonCursor certificate = at.at("certificate");
+    expectBefore(motion.proof.afterSteps, certificate.at("after_steps"));
+    if (!motion.proof.nearest.empty()) expectKnown(motion.proof.nearest, certificate.at("nearest"));
+    for (std::size_t i = 0; i < motion.joints.size(); ++i) checkJoint(motion.joints[i], at.at("joints").element(i));
+    for (std::size_t i = 0; i < motion.allowances.size(); ++i) {
+      const JsonCursor allowance = at.at("allowances").element(i);
+      expectKnown(motion.allowances[i].body, allowance.at("body"));
+      if (const auto moving = allowance.find("moving")) expectKnown(motion.allowances[i].moving, *moving);
+    }
+  }
+
+  void checkBodies(const StepMotion& motion, const JsonCursor& at) const {
+    const std::vector<BodyId> ids = motion.bodies();
     expectKnown(ids, at);
     std::set<BodyId> gone = gone_;
     for (std::size_t i = 0; i < ids.size(); ++i) {
@@ -479,21 +499,31 @@ void describe(Archive& document, Type<PlanDocument> /*type*/) {
                 "In which order the bodies of a product leave, each with a certified motion; assembly is the reverse. "
                 "Lengths are in metres. Bodies are named by their ids.");
   document.constant("format", kPlanFormat);
-  document.constant("version", 1);
+  document.constant("version", 2);
   document.optional("program", &PlanDocument::program, kText, "", Always());
   document.optional("product", &PlanDocument::product, kText, "The file that was planned, as it was named.", Always());
   document.embed(&PlanDocument::plan);
   document.check(checkPlan);
 }
 
-template struct ObjectFormat<PlanDocument>;
+PlanDocument PlanDocumentFormat::read(const JsonCursor& at) const {
+  if (!at.has("version") || at.at("version").json() != 1) return kObject<PlanDocument>.read(at);
+  const Json upgraded = upgradedPlan(at.json());
+  return kObject<PlanDocument>.read(JsonCursor(upgraded, at.file(), at.pointer()));
+}
+
+Json PlanDocumentFormat::write(const PlanDocument& document) const { return kObject<PlanDocument>.write(document); }
+
+Json PlanDocumentFormat::schema(SchemaDefinitions& definitions) const {
+  return kObject<PlanDocument>.schema(definitions);
+}
 
 PlanDocument planDocument(const AssemblyPlan& plan, const std::string& product) {
   return {std::string("Glissade ") + kVersion, product, plan};
 }
 
 Json planSchema() {
-  Json schema = describedSchema<PlanDocument>("Glissade assembly plan, version 1");
+  Json schema = describedSchema<PlanDocument>("Glissade assembly plan, version 2");
   addChecksumProperty(schema);
   return schema;
 }

@@ -15,7 +15,11 @@ struct PlanDocument {
 };
 PlanDocument planDocument(const AssemblyPlan& plan, const std::string& product);
 
-/// Reading throws JsonError. Private to the readers of this folder.
-extern template struct ObjectFormat<PlanDocument>;
+/// Reads documents of version 1 or 2. Reading throws JsonError. Private to the readers of this folder.
+struct PlanDocumentFormat {
+  PlanDocument read(const JsonCursor& at) const;
+  JsonCursor::Json write(const PlanDocument& document) const;
+  JsonCursor::Json schema(SchemaDefinitions& definitions) const;
+};
 
 }  // namespace glissade

@@ -386,7 +386,7 @@ void describe(Archive& scenario, Type<Scenario> /*type*/) {
   scenario.optional("seed", &Scenario::seed, kCount, "", Always());
   scenario.optional("paths", &Scenario::paths, KeptPathsFormat(),
                     "Paths that are kept. They are proved again when the scenario is opened.");
-  scenario.optional("plan", kPlan, kObject<PlanDocument>,
+  scenario.optional("plan", kPlan, PlanDocumentFormat(),
                     "The assembly plan that was found last, without checksum. Its steps are judged again when the "
                     "scenario is opened.",
                     [](const Scenario& written) { return written.plan != nullptr; });

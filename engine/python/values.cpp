@@ -246,18 +246,25 @@ void addProducts(py::module_& module) {
       .def_property_readonly("product", [](const Scenario& scenario) { return valueOf(scenario.product()); })
       .def("__repr__", [](const Scenario& scenario) { return "<glissade.Scenario '" + scenario.name() + "'>"; });
 
-  py::class_<Step>(module, "Step", "The removal of one body, or of several that move as one.")
-      .def_readonly("bodies", &Step::bodies)
-      .def_readonly("method", &Step::method)
+  py::class_<Motion>(module, "Motion", "The removal of one body, or of several that move as one.")
+      .def_readonly("bodies", &Motion::bodies)
+      .def_readonly("method", &Motion::method)
       .def_property_readonly(
-          "path", [](const Step& step) { return arrayOf(step.path); }, "Array of shape (n, 7).")
-      .def_readonly("certified", &Step::certified)
-      .def_readonly("min_clearance", &Step::minClearance, "metres")
-      .def_readonly("nearest", &Step::nearest)
+          "path", [](const Motion& motion) { return arrayOf(motion.path); }, "Array of shape (n, 7).")
+      .def_readonly("certified", &Motion::certified)
+      .def_readonly("min_clearance", &Motion::minClearance, "metres")
+      .def_readonly("nearest", &Motion::nearest)
+      .def("__repr__", [](const Motion& motion) {
+        return "<glissade.Motion of '" + motion.bodies.front() + "', " + motion.method +
+               (motion.certified ? ", certified>" : ", not certified>");
+      });
+
+  py::class_<Step>(module, "Step", "Motions that are carried out one after the other, as of nut, washer and bolt.")
+      .def_readonly("bodies", &Step::bodies)
+      .def_readonly("motions", &Step::motions, "one or more, in the order of removal")
       .def_readonly("after", &Step::after, "numbers, from 1, of the steps that have to come before")
       .def("__repr__", [](const Step& step) {
-        return "<glissade.Step of '" + step.bodies.front() + "', " + step.method +
-               (step.certified ? ", certified>" : ", not certified>");
+        return "<glissade.Step of '" + step.bodies.front() + "', motions: " + std::to_string(step.motions.size()) + ">";
       });
 
   py::class_<StuckBody>(module, "StuckBody", "A body that no removal was found for.")

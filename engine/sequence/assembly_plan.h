@@ -19,19 +19,20 @@
 
 namespace glissade {
 
-/// Whether a tool can be brought on when a step begins.
+/// Whether a tool can be brought on when a motion begins.
 enum class ToolAccess { NotAsked, Free, Blocked };
 
-/// The tool that turns the fastener of a step.
+/// The tool that turns the fastener of a motion.
 struct StepTool {
   ToolKind kind = ToolKind::None;
   ToolAccess access = ToolAccess::NotAsked;
   std::vector<BodyId> blockedBy{};  ///< ids of bodies in its way
-  BodyId turned{};  ///< id of the bolt that it turns while the step's nut is held; empty: it turns the fastener
+  BodyId turned{};  ///< id of the bolt that it turns while the nut is held; empty: it turns the fastener
+  BodyId held{};    ///< id of the nut or bolt on the other side of the joint, which is held meanwhile; empty: none
+  ToolKind heldWith = ToolKind::None;  ///< tool that holds it; None: not known
 };
 
-/// A joint that comes apart by a step: its description for people, and the conditions that the step's motion has to
-/// meet.
+/// A joint that comes apart by a motion: its description for people, and the conditions that the motion has to meet.
 struct StepJoint {
   JointKind kind = JointKind::Screw;
   BodyId body;                    ///< id, see Joint::body
@@ -43,16 +44,18 @@ struct StepJoint {
   double diameter = 0.0;   ///< diameter of the thread, metres; 0: no thread
   double pitch = 0.0;      ///< metres a turn, below 0: left-handed; 0: no thread
   bool isPitchStated = false;
-  double turns = 0.0;  ///< turns by which the step opens the thread, >= 0 for either hand; 0: it does not turn
+  double turns = 0.0;  ///< turns by which the motion opens the thread, >= 0 for either hand; 0: it does not turn
   double bend = 0.0;   ///< bend of the hook of a snap, metres
 
   bool operator==(const StepJoint&) const = default;
 };
 
-/// The proof of a step's motion: it keeps the required clearance from every body that was there.
+/// The proof of a motion: it keeps the required clearance from every body that was there.
 struct StepProof {
-  std::size_t afterSteps = 0;  ///< the bodies that were there: those that remain after this number of steps of the plan
-  double required = 0.0;       ///< metres
+  /// The bodies that were there: those that remain after this number of steps of the plan and the earlier motions of
+  /// the own step.
+  std::size_t afterSteps = 0;
+  double required = 0.0;         ///< metres
   double provedClearance = 0.0;  ///< metres, lower bound; infinity: no body was there
   double minClearance = 0.0;     ///< smallest clearance that was met, metres
   BodyId nearest;                ///< id of the body at the smallest clearance; empty: none
@@ -72,50 +75,66 @@ struct StepViolation {
 };
 inline constexpr EnumNames<StepViolation::Rule, 5> kRuleNames{{"before", "fastener", "standing", "place", "joint"}};
 
-/// AssemblyStep::method of a flexible body; its motion is not proved.
+/// StepMotion::method of a flexible body; its motion is not proved.
 inline constexpr const char* kFlexible = "flexible";
 
-/// AssemblyStep::method for people.
+/// StepMotion::method for people.
 Message methodInWords(const std::string& method);
 
-/// The removal of one body, or of several that move as one. A motion that is proved against a set of bodies is proved
-/// against each subset.
-struct AssemblyStep {
+/// A motion of a step: the removal of one body, or of several that move as one. A motion that is proved against a set
+/// of bodies is proved against each subset.
+struct StepMotion {
   BodyId body;  ///< id of the body, or of the first body of a group
   /// Path of the body's frame, or of the group's frame, from its pose in the assembled product (see AssembledProduct).
-  /// Every body of the step has X_WB = X(t) X(0)^-1 X_WB(assembled).
+  /// Every body of the motion has X_WB = X(t) X(0)^-1 X_WB(assembled).
   std::vector<PathPoint> path;
   /// "straight", "two lines", "turned", "by hand" (kByHand), kFlexible, or "auto: " and the planner, as in "auto:
   /// turning-rrt".
   std::string method;
-  std::size_t wave = 0;  ///< number from 1; steps of one wave were found together
   StepProof proof;
-  /// Allowances against bodies that were there, and against those that may be there in another order (`after`).
+  /// Allowances against bodies that were there, and against those that may be there in another order
+  /// (AssemblyStep::after).
   std::vector<Allowance> allowances;
   std::vector<BodyId> with{};  ///< ids of the other bodies of a group
-  /// Numbers, from 1, ascending, of the steps that have to be carried out before this one: their bodies would be in the
-  /// way, or the order is demanded. Every order that keeps `after` of all steps is proved as well.
-  std::vector<std::size_t> after{};
 
   FastenerKind fastener = FastenerKind::None;  ///< kind of a single body; None for a group
   StepTool tool{};                             ///< tool for a single body
-  /// Ids of bodies that would tip or fall after the step and do not before it: they have to be held.
+  /// Ids of bodies that would tip or fall after the motion and do not before it: they have to be held.
   std::vector<BodyId> falling{};
-  std::vector<StepViolation> violates{};  ///< broken rules of a step that a person has put at its place
-  std::vector<StepJoint> joints{};        ///< joints that come apart by the step
-  /// Number of the task, from 1: steps with the same number remove the fastener stacks of alike joints that clamp the
-  /// same bodies. 0: it is a task alone.
-  std::size_t task = 0;
-  bool unit = false;  ///< its bodies are held together by joints, and are not taken apart
+  std::vector<StepJoint> joints{};  ///< joints that come apart by the motion
+  bool unit = false;                ///< its bodies are held together by joints, and are not taken apart
   /// False for a flexible body: its path is for display, and is not proved.
   bool certified = true;
 
-  /// Ids of all bodies that leave; the first body of the step comes first.
+  /// Ids of all bodies that leave; the first body of the motion comes first.
   std::vector<BodyId> bodies() const {
     std::vector<BodyId> all{body};
     all.insert(all.end(), with.begin(), with.end());
     return all;
   }
+};
+
+/// A step of the work: motions that are carried out one after the other. A fastener stack is one step (joinStacks()).
+struct AssemblyStep {
+  std::vector<StepMotion> motions;  ///< at least one, in the order of removal
+  std::size_t wave = 0;             ///< number from 1; steps of one wave were found together
+  /// Numbers, from 1, ascending, of the steps that have to be carried out before this one: their bodies would be in the
+  /// way, or the order is demanded. Every order that keeps `after` of all steps is proved as well.
+  std::vector<std::size_t> after{};
+  std::vector<StepViolation> violates{};  ///< broken rules of a step that a person has put at its place
+  /// Number of the task, from 1: steps with the same number remove the fastener stacks of alike joints that clamp the
+  /// same bodies. 0: it is a task alone.
+  std::size_t task = 0;
+
+  /// The motion of a step that has one, as all steps of a search have (see splitStacks()).
+  StepMotion& only() { return motions.front(); }
+  const StepMotion& only() const { return motions.front(); }
+  /// Ids of all bodies that leave, in the order of the motions.
+  std::vector<BodyId> bodies() const;
+  /// The motion that opens the joint of the step with a tool; the first one where the step needs no tool.
+  const StepMotion& opening() const;
+  /// Ids of the bodies that fall by a motion of the step and that no motion of it removes; none twice.
+  std::vector<BodyId> falling() const;
 };
 
 /// A body or a group for which a removal was searched and not found.
@@ -160,7 +179,7 @@ struct AssemblyPlan {
   std::vector<AssemblyStep> steps;
   std::vector<RefusedRemoval> refusals;  ///< searches that a resumed run need not repeat
   /// Motions that a stopped run had found and not carried out, because bodies would fall.
-  std::vector<AssemblyStep> waiting{};
+  std::vector<StepMotion> waiting{};
   std::vector<StuckBody> stuck;
   PlanEnd end = PlanEnd::Complete;
   SequenceDemands demands{};

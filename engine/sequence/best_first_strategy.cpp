@@ -10,6 +10,7 @@
 #include "engine/sequence/order_search.h"
 #include "engine/sequence/plan_steps.h"
 #include "engine/sequence/step_motion.h"
+#include "engine/sequence/step_stacks.h"
 #include "engine/sequence/step_tools.h"
 
 namespace glissade {
@@ -65,7 +66,7 @@ class Reordering {
       groups_.push_back(groupOf(step, question.product));
       const BodyGroup& group = groups_.back();
       StepFigures figures;
-      for (const MotionLeg& leg : legsOf(step.path)) {
+      for (const MotionLeg& leg : legsOf(step.only().path)) {
         figures.length += size > 0.0 ? leg.length / size : 0.0;
         figures.turns += leg.turn / (2.0 * std::numbers::pi);
       }
@@ -74,12 +75,13 @@ class Reordering {
       figures.fragile = !question.fragile.empty() && std::any_of(group.begin(), group.end(), [&](std::size_t body) {
         return question.fragile[body];
       });
-      figures.id = step.body;
+      figures.id = step.only().body;
       figures.size = volume > 0.0 ? boxVolume(question.product, group) / volume : 0.0;
       figures_.push_back(std::move(figures));
-      const std::size_t count = step.path.size();
-      const Vector3 way = count < 2 ? Vector3(Vector3::Zero())
-                                    : Vector3(step.path[count - 1].q.position - step.path[count - 2].q.position);
+      const std::vector<PathPoint>& path = step.only().path;
+      const std::size_t count = path.size();
+      const Vector3 way =
+          count < 2 ? Vector3(Vector3::Zero()) : Vector3(path[count - 1].q.position - path[count - 2].q.position);
       ways_.push_back(way.norm() > 0.0 ? Vector3(way.normalized()) : way);
       BodySet own(all.size(), false);
       for (const std::size_t body : group) own[body] = true;
@@ -106,21 +108,35 @@ class Reordering {
     question.atLeast = [this](std::size_t step, const std::size_t* last, const std::vector<bool>& done) {
       return cost_.of(figuresOf(step, last, done));
     };
-    if (!question_.rules.placed.empty()) {
-      for (const BodyGroup& group : groups_) question.fixed.push_back(question_.rules.placeOf(group) != 0);
-    }
+    question.continues = [this](std::size_t step, std::size_t before) { return isSameStep(step, before); };
+    if (!question_.rules.placed.empty()) question.numbers = keptNumbers();
     question.leastGain = kLeastGain;
     question.mostExpansions = expansionsFor(question_.product.bodies.size(), question_.standing != nullptr);
     return cheapestOrder(question, stop_);
   }
 
  private:
+  bool isSameStep(std::size_t step, std::size_t before) const {
+    return continuesStack(groups_[step], groups_[before], question_.joints);
+  }
+
+  /// The numbers of the steps that a person wants at a place, see OrderQuestion::numbers.
+  std::vector<std::size_t> keptNumbers() const {
+    std::vector<std::size_t> numbers;
+    std::size_t number = 0;
+    for (std::size_t step = 0; step < groups_.size(); ++step) {
+      number += step > 0 && isSameStep(step, step - 1) ? 0 : 1;
+      numbers.push_back(question_.rules.placeOf(groups_[step]) != 0 ? number : 0);
+    }
+    return numbers;
+  }
+
   /// The step of a stack that is found with a tool opens it.
   void findOpeners() {
     for (std::size_t step = 0; step < groups_.size(); ++step) {
       openers_.push_back(step);
       for (std::size_t other = 0; other < groups_.size() && stacks_[step] != 0; ++other) {
-        const bool opens = stacks_[other] == stacks_[step] && plan_.steps[other].tool.kind != ToolKind::None;
+        const bool opens = stacks_[other] == stacks_[step] && plan_.steps[other].only().tool.kind != ToolKind::None;
         if (opens) openers_.back() = other;
       }
     }
@@ -129,8 +145,8 @@ class Reordering {
   /// The figures without those that depend on other bodies: the falling bodies and the access of the tool.
   StepFigures figuresOf(std::size_t step, const std::size_t* last, const std::vector<bool>& done) const {
     StepFigures figures = figures_[step];
-    const bool isSameStack = last != nullptr && stacks_[step] != 0 && stacks_[step] == stacks_[*last];
-    if (!isSameStack) addChanges(figures, step, last == nullptr ? nullptr : &openers_[*last]);
+    const bool isOneOperation = last != nullptr && isSameStep(step, *last);
+    if (!isOneOperation) addChanges(figures, step, last == nullptr ? nullptr : &openers_[*last]);
     figures.distance = last == nullptr ? 0.0 : (places_[step] - places_[*last]).norm();
     const auto left = std::count(done.begin(), done.end(), false);
     figures.early = static_cast<double>(left - 1) / static_cast<double>(done.size());
@@ -141,7 +157,7 @@ class Reordering {
   void addChanges(StepFigures& figures, std::size_t step, const std::size_t* last) const {
     figures.directionChange = last == nullptr || ways_[step].dot(ways_[*last]) < kSameWay;
     figures.turnOver = last == nullptr ? 0.0 : 0.5 * std::abs(sideOf(ways_[step]) - sideOf(ways_[*last]));
-    figures.toolChange = last == nullptr || usesAnotherTool(plan_.steps[step], plan_.steps[*last]);
+    figures.toolChange = last == nullptr || usesAnotherTool(plan_.steps[step].only(), plan_.steps[*last].only());
     figures.taskChange = last == nullptr || tasks_[step] == 0 || tasks_[step] != tasks_[*last];
     figures.assemblyChange = last == nullptr ? 0.0 : assemblyChangeOf(assemblies_[step], assemblies_[*last]);
   }
@@ -166,7 +182,7 @@ class Reordering {
     return cost_.of(figures);
   }
 
-  static bool usesAnotherTool(const AssemblyStep& one, const AssemblyStep& other) {
+  static bool usesAnotherTool(const StepMotion& one, const StepMotion& other) {
     return one.fastener != other.fastener || one.tool.kind != other.tool.kind;
   }
 
@@ -195,20 +211,20 @@ std::vector<BodySet> presentAfter(const AssemblyPlan& plan, const SequenceQuesti
   return present;
 }
 
-/// True if the proof of the step covers all present bodies, and the nearest body that it names is one of them.
-bool isStillProved(const AssemblyStep& step, const BodySet& proved, const BodySet& present,
+/// True if the proof of the motion covers all present bodies, and the nearest body that it names is one of them.
+bool isStillProved(const StepMotion& motion, const BodySet& proved, const BodySet& present,
                    const AssembledProduct& product) {
   for (std::size_t body = 0; body < present.size(); ++body) {
     if (present[body] && !proved[body]) return false;
   }
-  return step.proof.nearest.empty() || present[product.indexOf(step.proof.nearest)];
+  return motion.proof.nearest.empty() || present[product.indexOf(motion.proof.nearest)];
 }
 
-/// True if all bodies of the step end outside of the box of the other bodies of `present`.
-bool endsOutside(const AssemblyStep& step, const BodyGroup& group, const BodySet& present,
+/// True if all bodies of the motion end outside of the box of the other bodies of `present`.
+bool endsOutside(const StepMotion& motion, const BodyGroup& group, const BodySet& present,
                  const AssembledProduct& product) {
   const Box3 others = boxOf(product, without(present, group));
-  const Pose moved = step.path.back().q * inverse(step.path.front().q);
+  const Pose moved = motion.path.back().q * inverse(motion.path.front().q);
   return others.isEmpty() || std::none_of(group.begin(), group.end(), [&](std::size_t body) {
            const RigidBody& own = product.bodies[body];
            return others.intersects(boundingBox(*own.mesh, moved * own.X_WB));
@@ -223,25 +239,30 @@ std::optional<std::vector<AssemblyStep>> reordered(const AssemblyPlan& plan, con
   const std::vector<BodySet> before = presentAfter(plan, question);
   std::vector<AssemblyStep> steps;
   BodySet present = question.initial();
+  BodyGroup last;
+  std::size_t number = 0;
   for (const std::size_t step : order) {
     AssemblyStep next = plan.steps[step];
-    const BodyGroup group = groupOf(next, question.product);
-    if (next.certified && !isStillProved(next, before[next.proof.afterSteps], present, question.product)) {
-      const auto removed = question.trial.certified(group, next.path, next.method, present, stop);
+    StepMotion& motion = next.only();
+    const BodyGroup group = groupOf(motion, question.product);
+    if (motion.certified && !isStillProved(motion, before[motion.proof.afterSteps], present, question.product)) {
+      const auto removed = question.trial.certified(group, motion.path, motion.method, present, stop);
       if (!removed) return std::nullopt;
-      next.proof = makeStep(group, *removed, question, present, steps.size()).proof;
+      motion.proof = makeMotion(group, *removed, question, present, steps.size()).proof;
     }
-    if (next.certified && !endsOutside(next, group, present, question.product)) return std::nullopt;
-    next.proof.afterSteps = steps.size();
+    if (motion.certified && !endsOutside(motion, group, present, question.product)) return std::nullopt;
+    motion.proof.afterSteps = steps.size();
     next.wave = steps.size() + 1;
     next.after.clear();
-    for (const std::size_t number : plan.steps[step].after) next.after.push_back(numberOf[number - 1]);
+    for (const std::size_t earlier : plan.steps[step].after) next.after.push_back(numberOf[earlier - 1]);
     std::sort(next.after.begin(), next.after.end());
     BodyGroup falling;
     if (question.standing != nullptr) falling = question.standing->newlyFalling(present, group);
-    next.falling = idsOf(falling, question.product);
+    motion.falling = idsOf(falling, question.product);
+    number += continuesStack(group, last, question.joints) ? 0 : 1;
+    last = group;
     if (question.rules.placeOf(group) != 0) {
-      next.violates = violationsOf(group, present, falling, steps.size() + 1, question);
+      next.violates = violationsOf(group, present, falling, number, question);
     }
     present = without(present, group);
     steps.push_back(std::move(next));

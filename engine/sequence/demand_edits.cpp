@@ -1,7 +1,6 @@
 #include "engine/sequence/demand_edits.h"
 
 #include <algorithm>
-#include <set>
 
 #include "engine/sequence/step_motion.h"
 
@@ -10,12 +9,12 @@ namespace {
 
 using BodyNames = std::vector<std::string>;
 
-bool areSameBodies(const BodyNames& a, const BodyNames& b) {
-  return std::set<std::string>(a.begin(), a.end()) == std::set<std::string>(b.begin(), b.end());
-}
-
 bool isOneOf(const std::string& name, const BodyNames& bodies) {
   return std::find(bodies.begin(), bodies.end(), name) != bodies.end();
+}
+
+bool areAmong(const BodyNames& names, const BodyNames& bodies) {
+  return std::all_of(names.begin(), names.end(), [&](const std::string& name) { return isOneOf(name, bodies); });
 }
 
 bool hasOneOf(const BodyNames& bodies, const BodyNames& others) {
@@ -42,7 +41,7 @@ void makeRoomAt(std::size_t place, std::vector<DemandedPlace>& places) {
 
 SequenceDemands withStepMoved(std::size_t from, std::size_t to, const AssemblyPlan& plan, SequenceDemands demands) {
   std::vector<BodyNames> steps;
-  for (const AssemblyStep& step : plan.steps) steps.push_back(textsOf(step.bodies()));
+  for (const AssemblyStep& step : plan.steps) steps.push_back(textsOf(step.motions.front().bodies()));
   demands.places = movedTo(to, from, steps, demands.places);
   return demands;
 }
@@ -50,15 +49,19 @@ SequenceDemands withStepMoved(std::size_t from, std::size_t to, const AssemblyPl
 SequenceDemands withStepLocked(std::size_t step, bool locked, const AssemblyPlan& plan, SequenceDemands demands) {
   const AssemblyStep& own = plan.steps[step];
   const BodyNames bodies = textsOf(own.bodies());
-  const bool byHand = own.method == kByHand;
   std::erase_if(demands.places, [&](const DemandedPlace& each) { return hasOneOf(each.bodies, bodies); });
-  if (!byHand) dropMotion(bodies, demands);
+  for (const StepMotion& motion : own.motions) {
+    if (motion.method == kByHand) continue;
+    const BodyNames moved = textsOf(motion.bodies());
+    dropMotion(moved, demands);
+    if (locked) demands.motions.push_back({moved, motion.path, motion.method});
+  }
   if (!locked) return demands;
   makeRoomAt(step + 1, demands.places);
-  demands.places.push_back({bodies, step + 1, true});
+  demands.places.push_back({textsOf(own.motions.front().bodies()), step + 1, true});
   std::sort(demands.places.begin(), demands.places.end(),
             [](const DemandedPlace& a, const DemandedPlace& b) { return a.place < b.place; });
-  return byHand ? demands : withMotion({bodies, own.path, own.method}, std::move(demands));
+  return demands;
 }
 
 SequenceDemands withForbidden(const std::vector<BodyId>& bodies, const Vector3& direction, SequenceDemands demands) {
@@ -104,10 +107,10 @@ StepDemands demandsOn(const std::vector<BodyId>& ids, const SequenceDemands& dem
   const BodyNames bodies = textsOf(ids);
   StepDemands own;
   for (const DemandedPlace& each : demands.places) {
-    if (areSameBodies(each.bodies, bodies)) own.place = &each;
+    if (areAmong(each.bodies, bodies)) own.place = &each;
   }
   for (const DemandedMotion& each : demands.motions) {
-    if (areSameBodies(each.bodies, bodies)) own.motion = &each;
+    if (areAmong(each.bodies, bodies)) own.motion = &each;
   }
   for (const ForbiddenDirection& each : demands.forbidden) {
     if (isOneOf(each.body, bodies)) own.forbidden.push_back(each.direction);

@@ -5,13 +5,13 @@
 namespace glissade {
 
 // Edits that a person makes to the steps of a plan, as demands for the next plan. Steps by index in the plan, bodies by
-// id.
+// id. The place of a fastener stack is demanded for its first motion; the rest of the stack follows it.
 
 /// Moves the step to the place of `to`: see movedTo().
 SequenceDemands withStepMoved(std::size_t from, std::size_t to, const AssemblyPlan& plan, SequenceDemands demands);
 
-/// Locks or unlocks the place and the motion of the step; a motion by hand stays. Another step that is demanded at this
-/// place moves to the next free place.
+/// Locks or unlocks the place and the motions of the step; a motion by hand stays. Another step that is demanded at
+/// this place moves to the next free place.
 SequenceDemands withStepLocked(std::size_t step, bool locked, const AssemblyPlan& plan, SequenceDemands demands);
 
 /// Forbids the direction to each of the bodies. Demands that exclude it stay: see demand_conflicts.h.
@@ -30,7 +30,7 @@ SequenceDemands withoutDemandsOn(const std::vector<BodyId>& ids, SequenceDemands
 /// Demands on one step; null or empty members: there is none.
 struct StepDemands {
   const DemandedPlace* place = nullptr;
-  const DemandedMotion* motion = nullptr;
+  const DemandedMotion* motion = nullptr;  ///< the last one for a step of several motions
   std::vector<Vector3> forbidden{};
   std::vector<std::string> before{};  ///< names of bodies that leave after the step
   std::vector<std::string> after{};   ///< names of bodies that leave before the step
@@ -41,7 +41,7 @@ struct StepDemands {
     return place == nullptr && motion == nullptr && forbidden.empty() && before.empty() && after.empty();
   }
 };
-/// The result refers to `demands`.
+/// Demands on the step of these bodies. The result refers to `demands`.
 StepDemands demandsOn(const std::vector<BodyId>& ids, const SequenceDemands& demands);
 
 }  // namespace glissade

@@ -22,7 +22,7 @@ struct DemandedPlace {
 /// The only motion by which these bodies may leave: a person led it, or wants to keep it.
 struct DemandedMotion {
   std::vector<std::string> bodies;
-  std::vector<PathPoint> path;  ///< see AssemblyStep::path
+  std::vector<PathPoint> path;  ///< see StepMotion::path
   std::string method;           ///< kByHand, or the method of the step that the motion was taken from
 
   friend bool operator==(const DemandedMotion& a, const DemandedMotion& b);

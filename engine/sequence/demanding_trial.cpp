@@ -11,13 +11,14 @@ DemandingTrial::DemandingTrial(RemovalTrial& inner, const OrderRules& rules, con
                                const AssemblyPlan* known, const JointRules* joints)
     : ForwardingTrial(inner), rules_(rules), product_(product), joints_(joints) {
   if (known == nullptr) return;
-  for (const auto* steps : {&known->steps, &known->waiting}) {
-    for (const AssemblyStep& step : *steps) {
-      const BodyGroup group = groupOf(step, product);
-      if (!step.certified || step.path.size() < 2) continue;
-      known_[group] = {group, step.path, step.method};
+  const auto learn = [&](const std::vector<StepMotion>& motions) {
+    for (const StepMotion& motion : motions) {
+      const BodyGroup group = groupOf(motion, product);
+      if (motion.certified && motion.path.size() > 1) known_[group] = {group, motion.path, motion.method};
     }
-  }
+  };
+  for (const AssemblyStep& step : known->steps) learn(step.motions);
+  learn(known->waiting);
 }
 
 RemovalAnswer DemandingTrial::tryRemoval(const BodyGroup& group, const BodySet& present, int effort,

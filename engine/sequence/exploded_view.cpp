@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/sequence/plan_bodies.h"
 #include "engine/sequence/step_motion.h"
 
 namespace glissade {
@@ -174,12 +173,17 @@ Pose ExplodedView::Step::movedAt(double way) const {
 }
 
 ExplodedView::ExplodedView(const AssembledProduct& product, const AssemblyPlan& plan) : bodies_(product.bodies.size()) {
+  std::vector<Vector3> exits;
   for (const AssemblyStep& step : plan.steps) {
-    const std::vector<std::size_t> bodies = bodiesOf(step, product);
-    steps_.push_back({bodies, StepWay(step, product.bodies[bodies.front()])});
+    for (const StepMotion& motion : step.motions) {
+      std::vector<std::size_t> bodies = product.indicesOf(motion.bodies());
+      const StepWay way(motion, product.bodies[bodies.front()]);
+      steps_.push_back({std::move(bodies), way});
+      exits.push_back(exitDirection(motion.path));
+    }
   }
   Placement placement(product, steps_);
-  for (std::size_t i = steps_.size(); i-- > 0;) placement.place(steps_[i], exitDirection(plan.steps[i].path));
+  for (std::size_t i = steps_.size(); i-- > 0;) placement.place(steps_[i], exits[i]);
 }
 
 std::vector<Pose> ExplodedView::at(double share) const {

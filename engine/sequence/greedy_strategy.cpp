@@ -10,6 +10,7 @@
 #include "engine/sequence/plan_steps.h"
 #include "engine/sequence/sequence_strategy.h"
 #include "engine/sequence/step_precedence.h"
+#include "engine/sequence/step_stacks.h"
 #include "engine/sequence/stuck_reasons.h"
 
 namespace glissade {
@@ -107,16 +108,17 @@ class GreedySearch {
   void resume(const AssemblyPlan& earlier) {
     for (const AssemblyStep& step : earlier.steps) {
       const BodyGroup group = groupOf(step, question_.product);
+      count(group);
       plan_.steps.push_back(step);
       present_ = without(present_, group);
       wave_ = step.wave;
-      question_.trial.learn(group, step.path);
+      question_.trial.learn(group, step.only().path);
     }
     for (const RefusedRemoval& refused : earlier.refusals) {
       refusals_[refusedGroup(refused)][refused.effort] = {question_.product.indicesOf(refused.blockedBy),
                                                           refused.afterSteps};
     }
-    for (const AssemblyStep& step : earlier.waiting) waiting_[groupOf(step, question_.product)] = step;
+    for (const StepMotion& motion : earlier.waiting) waiting_[groupOf(motion, question_.product)] = motion;
   }
 
   /// The units that leave as one: groups that a person demands, and single bodies.
@@ -157,7 +159,7 @@ class GreedySearch {
     const std::size_t before = plan_.steps.size();
     for (const auto& step : question_.rules.placed) {
       if (stopped()) break;
-      const bool due = step.place == plan_.steps.size() + 1;
+      const bool due = step.place == numberOfNext(step.group);
       const bool isNext = early && plan_.steps.size() == before;
       if ((due || isNext) && isThere(step.group) && notAtPlace_.count(step.group) == 0) leaveAtPlace(step.group);
     }
@@ -176,11 +178,12 @@ class GreedySearch {
       const RemovalAnswer answer = question_.trial.tryRemoval(group, present_, effort, host_.stopToken());
       if (const auto* removed = std::get_if<Removed>(&answer)) {
         const BodyGroup falling = fallingWithout(group);
-        const auto violations = violationsOf(group, present_, falling, plan_.steps.size() + 1, question_);
-        waiting_[group] = makeStep(group, *removed, question_, present_, plan_.steps.size());
+        const auto violations = violationsOf(group, present_, falling, numberOfNext(group), question_);
+        waiting_[group] = makeMotion(group, *removed, question_, present_, plan_.steps.size());
         ++wave_;
         carryOut(group, falling);
         plan_.steps.back().violates = violations;
+        restOfStackLeaves(group);
         return;
       }
       const auto& refused = std::get<Refused>(answer);
@@ -188,14 +191,14 @@ class GreedySearch {
       blocking.insert(refused.blockedBy.begin(), refused.blockedBy.end());
       if (question_.rules.motionOf(group) != nullptr) break;  // there is no other motion
     }
-    notAtPlace_[group] = {{blocking.begin(), blocking.end()}, plan_.steps.size()};
+    notAtPlace_[group] = {{blocking.begin(), blocking.end()}, numberOfNext(group) - 1};
   }
 
   /// Announces the plan so far, as one that can be resumed.
   void announce() {
     AssemblyPlan soFar = plan_;
     for (const auto& [group, byEffort] : refusals_) addRefusals(group, byEffort, soFar);
-    for (const auto& [group, step] : waiting_) soFar.waiting.push_back(step);
+    for (const auto& [group, motion] : waiting_) soFar.waiting.push_back(motion);
     soFar.end = PlanEnd::Interrupted;
     host_.stepFound(soFar);
   }
@@ -239,7 +242,22 @@ class GreedySearch {
   bool mayLeave(const BodyGroup& group, bool knowledge) const {
     const bool stays = std::any_of(group.begin(), group.end(), [&](std::size_t b) { return question_.staying[b]; });
     const bool placed = std::any_of(group.begin(), group.end(), [&](std::size_t b) { return placed_[b]; });
-    return !stays && !placed && heldBy(group, knowledge).empty();
+    return !stays && !placed && !waitsForStack(group) && heldBy(group, knowledge).empty();
+  }
+
+  /// The bodies of the group's fastener stack; empty: it is of none.
+  BodyGroup stackOf(const BodyGroup& group) const {
+    if (question_.joints == nullptr || group.size() != 1) return {};
+    const std::size_t stack = question_.joints->stackOf(group.front());
+    return stack == 0 ? BodyGroup() : question_.joints->stacks()[stack - 1];
+  }
+
+  /// True if a person wants another motion of the stack at a place: the rest of the stack follows it.
+  bool waitsForStack(const BodyGroup& group) const {
+    const BodyGroup stack = stackOf(group);
+    return std::any_of(stack.begin(), stack.end(), [&](std::size_t body) {
+      return body != group.front() && present_[body] && placed_[body] && notAtPlace_.count({body}) == 0;
+    });
   }
 
   /// Bodies that hold the group, by demands and by joints.
@@ -264,7 +282,7 @@ class GreedySearch {
     if (!smallest) return false;
     ++wave_;
     const BodyGroup unit{*smallest};
-    waiting_[unit] = makeFlexibleStep(*smallest, present_, question_, plan_.steps.size());
+    waiting_[unit] = makeFlexibleMotion(*smallest, present_, question_, plan_.steps.size());
     carryOut(unit, fallingWithout(unit));
     waiting_.erase(unit);
     announce();
@@ -363,7 +381,7 @@ class GreedySearch {
     if (cut) return false;
     for (std::size_t i = 0; i < groups.size(); ++i) {
       if (const auto* removed = std::get_if<Removed>(&answers[i])) {
-        waiting_[groups[i]] = makeStep(groups[i], *removed, question_, present_, plan_.steps.size());
+        waiting_[groups[i]] = makeMotion(groups[i], *removed, question_, present_, plan_.steps.size());
       } else {
         refusals_[groups[i]][effort] = {std::get<Refused>(answers[i]).blockedBy, plan_.steps.size()};
       }
@@ -386,7 +404,7 @@ class GreedySearch {
     if (isFragile(group)) return -1.0;
     const std::size_t task = taskOf(group);
     double size = volumeOf(group);
-    for (const auto& [other, step] : waiting_) {
+    for (const auto& [other, motion] : waiting_) {
       if (task != 0 && taskOf(other) == task && !isFragile(other)) size = std::min(size, volumeOf(other));
     }
     return size;
@@ -417,12 +435,16 @@ class GreedySearch {
       BodyGroup falling = fallingWithout(group);
       if (falling.empty()) {
         carryOut(group, {});
+        restOfStackLeaves(group);
       } else if (least == nullptr || falling.size() < leastFalling.size()) {
         least = &group;
         leastFalling = std::move(falling);
       }
     }
-    if (plan_.steps.size() == before) carryOut(*least, leastFalling);
+    if (plan_.steps.size() == before) {
+      carryOut(*least, leastFalling);
+      restOfStackLeaves(*least);
+    }
     std::erase_if(waiting_, [&](const auto& each) { return !isThere(each.first); });
     announce();
     return true;
@@ -431,16 +453,53 @@ class GreedySearch {
   /// True if a person wants another step at the place that comes now.
   bool isPlaceTaken() const {
     return std::any_of(question_.rules.placed.begin(), question_.rules.placed.end(), [&](const auto& step) {
-      return step.place == plan_.steps.size() + 1 && isThere(step.group) && notAtPlace_.count(step.group) == 0;
+      return step.place == steps_ + 1 && isThere(step.group) && notAtPlace_.count(step.group) == 0;
     });
   }
 
+  /// Counts the step of the group, which leaves now.
+  void count(const BodyGroup& group) {
+    steps_ = numberOfNext(group);
+    last_ = group;
+  }
+
+  /// Number that the step of the group gets if it leaves now, as a person counts steps: a stack is one.
+  std::size_t numberOfNext(const BodyGroup& group) const {
+    return continuesStack(group, last_, question_.joints) ? steps_ : steps_ + 1;
+  }
+
+  /// Removes the other bodies of the group's fastener stack along lines, where a person counts places: a stack is one
+  /// step. Else the order search brings the stack together.
+  void restOfStackLeaves(const BodyGroup& group) {
+    if (question_.rules.placed.empty()) return;
+    for (bool hasLeft = true; hasLeft;) {
+      hasLeft = false;
+      for (const std::size_t body : stackOf(group)) {
+        const bool mayBeAsked = !stopped() && present_[body] && unitOf(body).size() == 1 && mayLeave({body}, true);
+        if (!mayBeAsked || !findLine({body})) continue;
+        carryOut({body}, fallingWithout({body}));
+        hasLeft = true;
+      }
+    }
+  }
+
+  /// True if a motion of the group is known, or a line is found.
+  bool findLine(const BodyGroup& group) {
+    if (waiting_.count(group) != 0) return true;
+    if (!isOpen(group, 0)) return false;
+    RemovalAnswer answer = question_.trial.tryRemoval(group, present_, 0, host_.stopToken());
+    const auto* removed = std::get_if<Removed>(&answer);
+    if (removed != nullptr) waiting_[group] = makeMotion(group, *removed, question_, present_, plan_.steps.size());
+    return removed != nullptr;
+  }
+
   void carryOut(const BodyGroup& group, const BodyGroup& falling) {
+    count(group);
     present_ = without(present_, group);
-    plan_.steps.push_back(waiting_[group]);
-    plan_.steps.back().wave = wave_;
-    plan_.steps.back().falling = idsOf(falling);
-    question_.trial.learn(group, plan_.steps.back().path);
+    StepMotion motion = waiting_[group];
+    motion.falling = idsOf(falling);
+    question_.trial.learn(group, motion.path);
+    plan_.steps.push_back({{std::move(motion)}, wave_});
   }
 
   bool isThere(const BodyGroup& group) const {
@@ -455,7 +514,7 @@ class GreedySearch {
 
   void finish() {
     for (const auto& [group, byEffort] : refusals_) addRefusals(group, byEffort, plan_);
-    for (const auto& [group, step] : waiting_) plan_.waiting.push_back(step);
+    for (const auto& [group, motion] : waiting_) plan_.waiting.push_back(motion);
     bool complete = true;
     for (const std::size_t body : bodiesIn(present_)) {
       if (question_.staying[body]) continue;
@@ -509,8 +568,10 @@ class GreedySearch {
   std::vector<double> volumes_;              ///< box volumes of the bodies
   std::vector<BodyGroup> clusters_;          ///< see clustersOf()
   Refusals refusals_;
-  std::map<BodyGroup, AssemblyStep> waiting_;  ///< motions that are known and not yet carried out
+  std::map<BodyGroup, StepMotion> waiting_;  ///< motions that are known and not yet carried out
   std::size_t wave_ = 0;
+  std::size_t steps_ = 0;  ///< number of steps as a person counts them: a stack is one
+  BodyGroup last_;         ///< bodies of the last motion
   AssemblyPlan plan_;
 };
 

@@ -11,7 +11,7 @@
 
 namespace glissade {
 
-/// AssemblyStep::method of bodies that turn out of a joint or a marked thread.
+/// StepMotion::method of bodies that turn out of a joint or a marked thread.
 inline constexpr const char* kTurned = "turned";
 
 /// Removal of a group that closed joints hold by their threads: it turns about the axis by the joint's pitch until the

@@ -12,14 +12,35 @@ namespace {
 
 using CarriedOut = std::vector<bool>;
 
-bool mayFollow(std::size_t step, const CarriedOut& done, const OrderQuestion& question) {
-  if (done[step]) return false;
-  if (!question.fixed.empty()) {
-    const auto place = static_cast<std::size_t>(std::count(done.begin(), done.end(), true));
-    if ((question.fixed[place] || question.fixed[step]) && step != place) return false;
+/// The number of the step at `place` of the order, see OrderQuestion::numbers.
+std::size_t numberAt(std::size_t place, const std::vector<std::size_t>& order, const OrderQuestion& question) {
+  std::size_t number = 1;
+  for (std::size_t i = 1; i <= place; ++i) {
+    number += question.continues && question.continues(order[i], order[i - 1]) ? 0 : 1;
   }
+  return number;
+}
+
+/// True if the step at `place` has the number that it keeps, and takes none from another step.
+bool keepsNumbers(std::size_t place, const std::vector<std::size_t>& order, const OrderQuestion& question) {
+  if (question.numbers.empty()) return true;
+  const std::size_t step = order[place];
+  const std::size_t number = numberAt(place, order, question);
+  if (question.numbers[step] != 0) return number == question.numbers[step];
+  const bool continues = place > 0 && question.continues && question.continues(step, order[place - 1]);
+  return continues || std::find(question.numbers.begin(), question.numbers.end(), number) == question.numbers.end();
+}
+
+bool mayFollow(std::size_t step, const std::vector<std::size_t>& order, const CarriedOut& done,
+               const OrderQuestion& question) {
   const auto& after = question.after[step];
-  return std::all_of(after.begin(), after.end(), [&](std::size_t earlier) { return done[earlier]; });
+  if (done[step] || std::any_of(after.begin(), after.end(), [&](std::size_t earlier) { return !done[earlier]; })) {
+    return false;
+  }
+  if (question.numbers.empty()) return true;
+  std::vector<std::size_t> longer = order;
+  longer.push_back(step);
+  return keepsNumbers(order.size(), longer, question);
 }
 
 const std::size_t* lastOf(const std::vector<std::size_t>& order) { return order.empty() ? nullptr : &order.back(); }
@@ -29,7 +50,7 @@ std::vector<std::pair<double, std::size_t>> mayComeNext(const std::vector<std::s
                                                         const OrderQuestion& question) {
   std::vector<std::pair<double, std::size_t>> steps;
   for (std::size_t step = 0; step < done.size(); ++step) {
-    if (!mayFollow(step, done, question)) continue;
+    if (!mayFollow(step, order, done, question)) continue;
     steps.emplace_back(question.atLeast ? question.atLeast(step, lastOf(order), done) : 0.0, step);
   }
   std::sort(steps.begin(), steps.end());
@@ -112,7 +133,7 @@ class OrderSearch {
 
   void expand(const Node& node) {
     for (std::size_t step = 0; step < steps_; ++step) {
-      if (!mayFollow(step, node.done, question_)) continue;
+      if (!mayFollow(step, node.order, node.done, question_)) continue;
       const double atLeast = question_.atLeast ? question_.atLeast(step, lastOf(node.order), node.done) : 0.0;
       if (node.cost + atLeast >= least_) continue;
       Node next{0.0, number_++, node.cost, false, node.order, node.done};
@@ -203,11 +224,16 @@ class RunMover {
     return done;
   }
 
+  /// The order is new from `first` to `end`. Numbers may change up to the end of the order.
   bool isAllowed(const std::vector<std::size_t>& order, std::size_t first, std::size_t end) const {
     CarriedOut done = doneBefore(order, first);
     for (std::size_t place = first; place < end; ++place) {
-      if (!mayFollow(order[place], done, question_)) return false;
+      const auto& after = question_.after[order[place]];
+      if (std::any_of(after.begin(), after.end(), [&](std::size_t earlier) { return !done[earlier]; })) return false;
       done[order[place]] = true;
+    }
+    for (std::size_t place = first; place < order.size() && !question_.numbers.empty(); ++place) {
+      if (!keepsNumbers(place, order, question_)) return false;
     }
     return true;
   }

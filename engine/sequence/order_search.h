@@ -19,13 +19,16 @@ struct OrderQuestion {
   std::function<double(std::size_t step, const std::size_t* last, const std::vector<bool>& done)> atLeast{};
   std::size_t mostExpansions = 2000;
   double leastGain = 1e-9;  ///< least reduction of the cost for which a run of steps is moved
-  /// Steps that keep their index in the order; empty: none. If some do, `after` has to permit the order 0, 1, ...
-  std::vector<bool> fixed{};
+  /// True if `step` counts as one with the step before it. Null: each step counts.
+  std::function<bool(std::size_t step, std::size_t before)> continues{};
+  /// For each step, the number that it keeps, from 1, by the count of `continues`; 0: any. Empty: all have any. If some
+  /// keep theirs, the order 0, 1, ... has to be one in which they have it, and `after` has to permit it.
+  std::vector<std::size_t> numbers{};
 };
 
 /// Best-first search over costs. A state consists of the steps carried out and the last one of them. States with the
 /// least cost, plus the mean cost of a step for each missing step, are expanded first. The search begins with the order
-/// that always takes the cheapest step (or with 0, 1, ... if fixed steps make that order impossible), so there is
+/// that always takes the cheapest step (or with 0, 1, ... if kept numbers make that order impossible), so there is
 /// always a result. Finally runs of steps are moved to other places while that reduces the cost. Precondition: `after`
 /// has no circle.
 std::vector<std::size_t> cheapestOrder(const OrderQuestion& question, const StopToken& stop);

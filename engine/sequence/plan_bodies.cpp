@@ -41,18 +41,22 @@ class Renaming {
     for (Named& each : list) one(each);
   }
   void step(AssemblyStep& step) const {
-    one(step.body);
-    all(step.with);
-    all(step.falling);
-    all(step.tool.blockedBy);
-    one(step.tool.turned);
+    for (StepMotion& each : step.motions) motion(each);
     for (StepViolation& violation : step.violates) all(violation.bodies);
-    one(step.proof.nearest);
-    for (Allowance& allowance : step.allowances) {
+  }
+  void motion(StepMotion& motion) const {
+    one(motion.body);
+    all(motion.with);
+    all(motion.falling);
+    all(motion.tool.blockedBy);
+    one(motion.tool.turned);
+    one(motion.tool.held);
+    one(motion.proof.nearest);
+    for (Allowance& allowance : motion.allowances) {
       one(allowance.body);
       one(allowance.moving);
     }
-    for (StepJoint& joint : step.joints) {
+    for (StepJoint& joint : motion.joints) {
       one(joint.body);
       all(joint.others);
       all(joint.clamped);
@@ -109,15 +113,21 @@ std::vector<std::size_t> bodiesOf(const AssemblyStep& step, const AssembledProdu
   return product.indicesOf(step.bodies());
 }
 
-std::vector<Allowance> allowancesInOrder(const std::vector<AssemblyStep>& steps, std::size_t at) {
-  std::vector<Allowance> there = steps[at].allowances;
-  std::erase_if(there, [&](const Allowance& each) {
-    return std::any_of(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(at),
-                       [&](const AssemblyStep& earlier) {
-                         return earlier.body == each.body ||
-                                std::find(earlier.with.begin(), earlier.with.end(), each.body) != earlier.with.end();
-                       });
-  });
+std::vector<const StepMotion*> motionsOf(const AssemblyStep& step, PlanOrder order) {
+  std::vector<const StepMotion*> motions;
+  for (const StepMotion& motion : step.motions) motions.push_back(&motion);
+  if (order == PlanOrder::Assembly) std::reverse(motions.begin(), motions.end());
+  return motions;
+}
+
+std::vector<Allowance> allowancesInOrder(const std::vector<AssemblyStep>& steps, std::size_t at,
+                                         const StepMotion& motion) {
+  std::set<BodyId> left;
+  const auto leave = [&](const std::vector<BodyId>& bodies) { left.insert(bodies.begin(), bodies.end()); };
+  for (std::size_t earlier = 0; earlier < at; ++earlier) leave(steps[earlier].bodies());
+  for (const StepMotion* earlier = steps[at].motions.data(); earlier != &motion; ++earlier) leave(earlier->bodies());
+  std::vector<Allowance> there = motion.allowances;
+  std::erase_if(there, [&](const Allowance& each) { return left.count(each.body) != 0; });
   return there;
 }
 
@@ -130,7 +140,7 @@ std::optional<AssemblyPlan> planAbout(const AssembledProduct& product, const Ass
   for (std::size_t i = 0; i < renamed.bodies.size(); ++i) renamed.bodies[i] = product.bodies[i].id;
   rename.all(renamed.staying);
   for (AssemblyStep& step : renamed.steps) rename.step(step);
-  for (AssemblyStep& step : renamed.waiting) rename.step(step);
+  for (StepMotion& motion : renamed.waiting) rename.motion(motion);
   for (RefusedRemoval& refused : renamed.refusals) {
     rename.one(refused.body);
     rename.all(refused.with);

@@ -9,11 +9,25 @@ namespace glissade {
 /// The state of a body while a plan is played.
 struct PlayedBody {
   Pose moved;          ///< displacement: the body is at moved * X_WB, where X_WB is its assembled pose
-  bool left = false;   ///< its step is over: it is at the end of its motion
-  bool moves = false;  ///< it moves in the present step
+  bool left = false;   ///< its motion is over
+  bool moves = false;  ///< it moves now
 };
 
-/// A plan as one motion of the whole product: every step takes one unit of time. A value.
+/// A motion of a plan that is in progress.
+struct PlayedMotion {
+  std::size_t step = 0;    ///< index
+  std::size_t motion = 0;  ///< index in the step, which it takes an equal share of
+  double share = 0.0;      ///< done share of the motion
+
+  /// The time of PlanPlayback at which the motion is there.
+  double time(const AssemblyPlan& plan) const;
+};
+
+/// The motion in progress at this time. Precondition: `time` is in [0, number of steps).
+PlayedMotion playedMotionAt(double time, const AssemblyPlan& plan);
+
+/// A plan as one motion of the whole product: every step takes one unit of time, in equal shares of its motions. A
+/// value.
 class PlanPlayback {
  public:
   PlanPlayback() = default;
@@ -27,13 +41,13 @@ class PlanPlayback {
   std::vector<PlayedBody> at(double time) const;
 
  private:
-  struct Step {
+  struct Motion {
     std::vector<std::size_t> bodies;
     StepWay way;
   };
 
   std::size_t bodies_ = 0;
-  std::vector<Step> steps_;
+  std::vector<std::vector<Motion>> steps_;
 };
 
 }  // namespace glissade

@@ -49,8 +49,8 @@ std::vector<BodyId> idsOf(const BodyGroup& bodies, const AssembledProduct& produ
   return ids;
 }
 
-BodyGroup groupOf(const AssemblyStep& step, const AssembledProduct& product) {
-  BodyGroup group = product.indicesOf(step.bodies());
+BodyGroup groupOf(const StepMotion& motion, const AssembledProduct& product) {
+  BodyGroup group = product.indicesOf(motion.bodies());
   std::sort(group.begin(), group.end());
   return group;
 }
@@ -92,7 +92,7 @@ std::vector<StepViolation> violationsOf(const BodyGroup& group, const BodySet& p
   return violations;
 }
 
-void addAllowances(AssemblyStep& step, const BodyGroup& group, const std::vector<Fit>& fits,
+void addAllowances(StepMotion& motion, const BodyGroup& group, const std::vector<Fit>& fits,
                    const AssembledProduct& product) {
   // If both bodies are thinned, pitch and turns are stated once.
   std::set<std::pair<std::size_t, std::size_t>> threads;
@@ -105,33 +105,33 @@ void addAllowances(AssemblyStep& step, const BodyGroup& group, const std::vector
     }
     Allowance& allowance = fit;
     if (fit.object == group.front()) allowance.moving = {};
-    if (fit.thread) allowance.turns = turnsIn(fit.thread->rule, body, other, step.path);
+    if (fit.thread) allowance.turns = turnsIn(fit.thread->rule, body, other, motion.path);
     allowance.text = withTurns(inWords(fit, body.shown(), other.shown()), allowance.turns);
-    step.allowances.push_back(std::move(allowance));
+    motion.allowances.push_back(std::move(allowance));
   }
 }
 
-AssemblyStep makeStep(const BodyGroup& group, const Removed& removed, const SequenceQuestion& question,
+StepMotion makeMotion(const BodyGroup& group, const Removed& removed, const SequenceQuestion& question,
                       const BodySet& present, std::size_t afterSteps) {
   const AssembledProduct& product = question.product;
   const MotionCertificate& certificate = removed.path.certificate;
-  AssemblyStep step;
-  step.body = product.bodies[group.front()].id;
-  step.path = removed.path.points;
-  step.method = removed.method;
-  step.with = idsOf({group.begin() + 1, group.end()}, product);
-  if (group.size() == 1 && !question.fasteners.empty()) step.fastener = question.fasteners[group.front()];
+  StepMotion motion;
+  motion.body = product.bodies[group.front()].id;
+  motion.path = removed.path.points;
+  motion.method = removed.method;
+  motion.with = idsOf({group.begin() + 1, group.end()}, product);
+  if (group.size() == 1 && !question.fasteners.empty()) motion.fastener = question.fasteners[group.front()];
   if (group.size() == 1 && needsTool(group.front(), present, question)) {
-    step.tool.kind = question.tools[group.front()].front().kind;
+    motion.tool.kind = question.tools[group.front()].front().kind;
   }
-  step.proof = {afterSteps, certificate.tolerance, certificate.provedClearance, certificate.minClearance, {}};
+  motion.proof = {afterSteps, certificate.tolerance, certificate.provedClearance, certificate.minClearance, {}};
   const int nearest = certificate.nearest.body;
-  if (nearest >= 0) step.proof.nearest = product.bodies[static_cast<std::size_t>(nearest)].id;
-  addAllowances(step, group, removed.fits, product);
-  return step;
+  if (nearest >= 0) motion.proof.nearest = product.bodies[static_cast<std::size_t>(nearest)].id;
+  addAllowances(motion, group, removed.fits, product);
+  return motion;
 }
 
-AssemblyStep makeFlexibleStep(std::size_t body, const BodySet& present, const SequenceQuestion& question,
+StepMotion makeFlexibleMotion(std::size_t body, const BodySet& present, const SequenceQuestion& question,
                               std::size_t afterSteps) {
   const RigidBody& own = question.product.bodies[body];
   const Vector3 direction = flexibleDirection(body, question);
@@ -140,13 +140,13 @@ AssemblyStep makeFlexibleStep(std::size_t body, const BodySet& present, const Se
   end.position +=
       wayOutOf(boundingBox(*own.mesh, own.X_WB), boxOf(question.product, without(present, {body})), direction, margin) *
       direction;
-  AssemblyStep step;
-  step.body = own.id;
-  step.path = {{own.X_WB}, {end}};
-  step.method = kFlexible;
-  step.proof.afterSteps = afterSteps;
-  step.certified = false;
-  return step;
+  StepMotion motion;
+  motion.body = own.id;
+  motion.path = {{own.X_WB}, {end}};
+  motion.method = kFlexible;
+  motion.proof.afterSteps = afterSteps;
+  motion.certified = false;
+  return motion;
 }
 
 }  // namespace glissade

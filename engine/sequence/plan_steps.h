@@ -9,20 +9,24 @@ namespace glissade {
 
 std::vector<BodyId> idsOf(const BodyGroup& bodies, const AssembledProduct& product);
 
-/// The bodies of a step. Precondition: the step belongs to this product.
-BodyGroup groupOf(const AssemblyStep& step, const AssembledProduct& product);
+/// The bodies of a motion, ascending. Precondition: the motion belongs to this product.
+BodyGroup groupOf(const StepMotion& motion, const AssembledProduct& product);
+/// The bodies of a step of one motion.
+inline BodyGroup groupOf(const AssemblyStep& step, const AssembledProduct& product) {
+  return groupOf(step.only(), product);
+}
 
-/// States the allowances of the group against other bodies on the step's path.
-void addAllowances(AssemblyStep& step, const BodyGroup& group, const std::vector<Fit>& fits,
+/// States the allowances of the group against other bodies on the path of the motion.
+void addAllowances(StepMotion& motion, const BodyGroup& group, const std::vector<Fit>& fits,
                    const AssembledProduct& product);
 
-/// The step by which a group leaves `present`, proved after `afterSteps` steps; without wave and predecessors. Its tool
-/// is that of a single body. A body of a screwed joint that leaves after the joint was opened needs none.
-AssemblyStep makeStep(const BodyGroup& group, const Removed& removed, const SequenceQuestion& question,
+/// The motion by which a group leaves `present`, proved after `afterSteps` steps. Its tool is that of a single body. A
+/// body of a screwed joint that leaves after the joint was opened needs none.
+StepMotion makeMotion(const BodyGroup& group, const Removed& removed, const SequenceQuestion& question,
                       const BodySet& present, std::size_t afterSteps);
 
 /// The removal of a flexible body: a straight motion out of the box of the present bodies, without a proof.
-AssemblyStep makeFlexibleStep(std::size_t body, const BodySet& present, const SequenceQuestion& question,
+StepMotion makeFlexibleMotion(std::size_t body, const BodySet& present, const SequenceQuestion& question,
                               std::size_t afterSteps);
 
 /// Bodies that have to leave before the group and are still there, by all order rules (`knowledgeToo`) or the demanded

@@ -180,21 +180,25 @@ class StepCarrier {
     return [this](const BodyId& id) { return present_.count(id) == 0; };
   }
 
-  /// Removes the proof, measurements, and statements about bodies that are gone.
+  /// Removes proofs, measurements, and statements about bodies that are gone.
   void forget(AssemblyStep& step) const {
-    const auto gone = isGone();
-    step.proof = {};
-    keepPresent(step.falling);
-    std::erase_if(step.allowances, [&](const Allowance& each) { return gone(each.body); });
-    for (Allowance& each : step.allowances) each.evidence = {};
-    std::erase_if(step.joints, [&](StepJoint& joint) {
-      keepPresent(joint.others);
-      keepPresent(joint.clamped);
-      return gone(joint.body) || joint.others.empty();
-    });
+    for (StepMotion& motion : step.motions) forget(motion);
     std::erase_if(step.violates, [&](StepViolation& violation) {
       keepPresent(violation.bodies);
       return violation.bodies.empty();
+    });
+  }
+
+  void forget(StepMotion& motion) const {
+    const auto gone = isGone();
+    motion.proof = {};
+    keepPresent(motion.falling);
+    std::erase_if(motion.allowances, [&](const Allowance& each) { return gone(each.body); });
+    for (Allowance& each : motion.allowances) each.evidence = {};
+    std::erase_if(motion.joints, [&](StepJoint& joint) {
+      keepPresent(joint.others);
+      keepPresent(joint.clamped);
+      return gone(joint.body) || joint.others.empty();
     });
   }
 
@@ -203,19 +207,19 @@ class StepCarrier {
 
 /// Lengthens the path along its last displacement until it ends outside of the box of the other bodies, which has grown
 /// where parts came.
-void endOutside(AssemblyStep& step, const AssembledProduct& product) {
-  if (step.path.size() < 2) return;
-  const std::vector<std::size_t> group = bodiesOf(step, product);
+void endOutside(StepMotion& motion, const AssembledProduct& product) {
+  if (motion.path.size() < 2) return;
+  const std::vector<std::size_t> group = product.indicesOf(motion.bodies());
   BodySet others(product.bodies.size(), true);
   for (const std::size_t body : group) others[body] = false;
   const Box3 room = boxOf(product, others);
-  const Pose& q = step.path.back().q;
-  const Pose X_end = q * inverse(step.path.front().q);
+  const Pose& q = motion.path.back().q;
+  const Pose X_end = q * inverse(motion.path.front().q);
   Box3 box;
   for (const std::size_t body : group) {
     box.extend(boundingBox(*product.bodies[body].mesh, X_end * product.bodies[body].X_WB));
   }
-  const Vector3 displacement = q.position - step.path[step.path.size() - 2].q.position;
+  const Vector3 displacement = q.position - motion.path[motion.path.size() - 2].q.position;
   if (room.isEmpty() || !box.intersects(room) || displacement.isZero()) return;
   const Vector3 direction = displacement.normalized();
   double least = std::numeric_limits<double>::infinity();
@@ -224,8 +228,8 @@ void endOutside(AssemblyStep& step, const AssembledProduct& product) {
     if (direction[i] < 0.0) least = std::min(least, (room.min()[i] - box.max()[i]) / direction[i]);
   }
   constexpr double kBeyond = 0.01;  // share of the box, so that rounding does not matter
-  step.path.push_back(step.path.back());
-  step.path.back().q.position += (least + kBeyond * room.diagonal().norm()) * direction;
+  motion.path.push_back(motion.path.back());
+  motion.path.back().q.position += (least + kBeyond * room.diagonal().norm()) * direction;
 }
 
 }  // namespace
@@ -253,7 +257,9 @@ CarriedPlan carriedTo(const AssembledProduct& product, const AssemblyPlan& plan)
   CarriedPlan carried{plan, {}};
   const StepCarrier carrier(product);
   carrier.carry(carried.plan.steps, carried.plan.lines, carried.from);
-  for (AssemblyStep& step : carried.plan.steps) endOutside(step, product);
+  for (AssemblyStep& step : carried.plan.steps) {
+    for (StepMotion& motion : step.motions) endOutside(motion, product);
+  }
   carried.plan.bodies = idsOf(product.bodies);
   carrier.keepPresent(carried.plan.staying);
   carrier.keepPresent(carried.plan.stuck);

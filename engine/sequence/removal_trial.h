@@ -14,7 +14,7 @@ namespace glissade {
 /// A certified motion that takes a group out of the product.
 struct Removed {
   Path path;              ///< path of MovingObject's frame; the certificate names bodies by their index in the product
-  std::string method;     ///< see AssemblyStep::method
+  std::string method;     ///< see StepMotion::method
   std::vector<Fit> fits;  ///< fits with bodies that were there
 };
 

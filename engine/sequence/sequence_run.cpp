@@ -1,6 +1,7 @@
 #include "engine/sequence/sequence_run.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "engine/fits/joint_edits.h"
 #include "engine/fits/joint_finder.h"
@@ -13,6 +14,7 @@
 #include "engine/sequence/standing.h"
 #include "engine/sequence/step_joints.h"
 #include "engine/sequence/step_precedence.h"
+#include "engine/sequence/step_stacks.h"
 #include "engine/sequence/step_tools.h"
 #include "engine/sequence/subassembly_lines.h"
 #include "engine/sequence/thread_demands.h"
@@ -136,11 +138,23 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
   const JointRules* counting = joints.joints().empty() ? nullptr : &joints;
   MotionTrial motions(product, fits, request.seed, MotionTrial::kMostSearches, rules->forbidden, counting, &threads);
   DemandingTrial trial(motions, *rules, product, request.known, counting);
-  const SequenceQuestion question{product,   staying,         request.seed,
-                                  trial,     request.resumed, *rules,
-                                  fasteners, &standing,       fragileBodies(product, request.demands),
-                                  *tools,    &*cost,          counting,
-                                  {},        &fits,           &liaisons};
+  std::optional<AssemblyPlan> resumed;
+  if (request.resumed != nullptr) resumed = splitStacks(*request.resumed);
+  const SequenceQuestion question{product,
+                                  staying,
+                                  request.seed,
+                                  trial,
+                                  resumed ? &*resumed : nullptr,
+                                  *rules,
+                                  fasteners,
+                                  &standing,
+                                  fragileBodies(product, request.demands),
+                                  *tools,
+                                  &*cost,
+                                  counting,
+                                  {},
+                                  &fits,
+                                  &liaisons};
   SavableHost savable(request, host);
   AssemblyPlan plan = strategy->make()->plan(question, savable);
   // A plan in which every body stays takes nothing apart. The judge does not call it complete.
@@ -148,6 +162,7 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
   addJoints(plan, question);
   addLines(plan, question, host);
   addTools(plan, question, host);
+  if (!host.stopToken().stopRequested()) joinStacks(plan, question, host.stopToken());
   plan.demands = request.demands;
   plan.demands.joints = withBends(plan.demands.joints, joints.joints(), product);
   return plan;

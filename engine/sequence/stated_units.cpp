@@ -19,7 +19,9 @@ class StatedUnitFinder {
 
   void addSteps(const std::vector<AssemblyStep>& steps, const std::vector<SubassemblyLine>& lines) {
     for (const AssemblyStep& step : steps) {
-      if (step.unit) add(step.bodies());
+      for (const StepMotion& motion : step.motions) {
+        if (motion.unit) add(motion.bodies());
+      }
     }
     for (const SubassemblyLine& line : lines) {
       add(line.staying);

@@ -43,13 +43,13 @@ bool isLeft(const Joint& joint, const BodyGroup& group, const BodySet& others) {
          std::any_of(joint.others.begin(), joint.others.end(), [&](std::size_t other) { return others[other]; });
 }
 
-std::vector<StepJoint> jointsOf(const AssemblyStep& step, const BodyGroup& group, const BodySet& present,
+std::vector<StepJoint> jointsOf(const StepMotion& motion, const BodyGroup& group, const BodySet& present,
                                 const SequenceQuestion& question) {
   std::vector<StepJoint> joints;
   const JointRules& rules = *question.joints;
   for (const std::size_t index : rules.opened(group, present)) {
     joints.push_back(stepJoint(rules.joints()[index], present, question.product));
-    joints.back().turns = turnsOf(step.path);
+    joints.back().turns = turnsOf(motion.path);
   }
   const BodySet others = without(present, group);
   for (const Joint& joint : rules.joints()) {
@@ -72,7 +72,8 @@ void addJoints(AssemblyPlan& plan, const SequenceQuestion& question) {
   std::map<std::size_t, std::vector<std::size_t>> tasks;  // indices of the steps of each task
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     const BodyGroup group = groupOf(plan.steps[i], question.product);
-    plan.steps[i].joints = jointsOf(plan.steps[i], group, present, question);
+    StepMotion& motion = plan.steps[i].only();
+    motion.joints = jointsOf(motion, group, present, question);
     plan.steps[i].task = 0;
     if (group.size() == 1) tasks[question.joints->taskOf(group.front())].push_back(i);
     present = without(std::move(present), group);

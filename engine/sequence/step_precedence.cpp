@@ -15,20 +15,9 @@ void demandAllEarlier(AssemblyStep& step, std::size_t index) {
   std::iota(step.after.begin(), step.after.end(), std::size_t{1});
 }
 
-/// For each step, the steps that come before it in every order, by number from 1.
-std::vector<std::set<std::size_t>> allBefore(const AssemblyPlan& plan) {
-  std::vector<std::set<std::size_t>> before;
-  for (const AssemblyStep& step : plan.steps) {
-    std::set<std::size_t> own(step.after.begin(), step.after.end());
-    for (const std::size_t each : step.after) own.insert(before[each - 1].begin(), before[each - 1].end());
-    before.push_back(std::move(own));
-  }
-  return before;
-}
-
-bool isStated(const AssemblyStep& step, const Fit& fit) {
-  return std::any_of(step.allowances.begin(), step.allowances.end(), [&](const Allowance& each) {
-    const BodyId& moving = each.moving.empty() ? step.body : each.moving;
+bool isStated(const StepMotion& motion, const Fit& fit) {
+  return std::any_of(motion.allowances.begin(), motion.allowances.end(), [&](const Allowance& each) {
+    const BodyId& moving = each.moving.empty() ? motion.body : each.moving;
     return each.body == fit.body && moving == fit.moving && each.yields == fit.yields;
   });
 }
@@ -38,7 +27,7 @@ bool isStated(const AssemblyStep& step, const Fit& fit) {
 void stateAllowancesOfAllOrders(AssemblyPlan& plan, const std::vector<BodyGroup>& groups,
                                 const SequenceQuestion& question) {
   const AssembledProduct& product = question.product;
-  const std::vector<std::set<std::size_t>> before = allBefore(plan);
+  const std::vector<std::set<std::size_t>> before = allBefore(plan.steps);
   for (std::size_t step = 0; step < plan.steps.size(); ++step) {
     BodySet others(product.bodies.size(), false);
     std::set<BodyId> left;
@@ -49,11 +38,12 @@ void stateAllowancesOfAllOrders(AssemblyPlan& plan, const std::vector<BodyGroup>
         if (isBefore) left.insert(product.bodies[body].id);
       }
     }
-    std::erase_if(plan.steps[step].allowances, [&](const Allowance& each) { return left.count(each.body) != 0; });
-    if (!plan.steps[step].certified) continue;
+    StepMotion& motion = plan.steps[step].only();
+    std::erase_if(motion.allowances, [&](const Allowance& each) { return left.count(each.body) != 0; });
+    if (!motion.certified) continue;
     std::vector<Fit> fits = question.trial.fitsWith(groups[step], others);
-    std::erase_if(fits, [&](const Fit& fit) { return isStated(plan.steps[step], fit); });
-    addAllowances(plan.steps[step], groups[step], fits, product);
+    std::erase_if(fits, [&](const Fit& fit) { return isStated(motion, fit); });
+    addAllowances(motion, groups[step], fits, product);
   }
 }
 
@@ -110,9 +100,9 @@ void addPrecedence(AssemblyPlan& plan, const SequenceQuestion& question, Sequenc
       left.insert(left.end(), groups[earlier].begin(), groups[earlier].end());
     }
     std::set<std::size_t> after;
-    if (plan.steps[step].certified) {
-      for (const std::size_t body :
-           question.trial.inTheWay(groups[step], plan.steps[step].path, left, host.stopToken())) {
+    const StepMotion& motion = plan.steps[step].only();
+    if (motion.certified) {
+      for (const std::size_t body : question.trial.inTheWay(groups[step], motion.path, left, host.stopToken())) {
         after.insert(stepOf[body]);
       }
     } else {
@@ -127,6 +117,16 @@ void addPrecedence(AssemblyPlan& plan, const SequenceQuestion& question, Sequenc
     if (host.stopToken().stopRequested()) demandAllEarlier(plan.steps[step], step);
   });
   stateAllowancesOfAllOrders(plan, groups, question);
+}
+
+std::vector<std::set<std::size_t>> allBefore(const std::vector<AssemblyStep>& steps) {
+  std::vector<std::set<std::size_t>> before;
+  for (const AssemblyStep& step : steps) {
+    std::set<std::size_t> own(step.after.begin(), step.after.end());
+    for (const std::size_t each : step.after) own.insert(before[each - 1].begin(), before[each - 1].end());
+    before.push_back(std::move(own));
+  }
+  return before;
 }
 
 void demandAllEarlier(AssemblyPlan& plan) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <set>
+
 #include "engine/sequence/sequence_strategy.h"
 
 namespace glissade {
@@ -8,6 +10,9 @@ namespace glissade {
 /// and earlier ones that rules demand. After a stop: all earlier ones. The other steps may be carried out later: the
 /// step also states its allowances against their bodies.
 void addPrecedence(AssemblyPlan& plan, const SequenceQuestion& question, SequenceHost& host);
+
+/// For each step, the numbers, from 1, of the steps that come before it in every order.
+std::vector<std::set<std::size_t>> allBefore(const std::vector<AssemblyStep>& steps);
 
 /// Lets each step depend on all earlier ones, without trials.
 void demandAllEarlier(AssemblyPlan& plan);

@@ -23,8 +23,8 @@ class ToolMeshes {
  public:
   ToolMeshes(const AssemblyPlan& plan, const SequenceQuestion& question) {
     for (const AssemblyStep& step : plan.steps) {
-      if (step.tool.kind == ToolKind::None) continue;
-      for (const ToolUse& use : question.tools[question.product.indexOf(step.body)]) {
+      if (step.only().tool.kind == ToolKind::None) continue;
+      for (const ToolUse& use : question.tools[question.product.indexOf(step.only().body)]) {
         const MeshPtr& mesh = question.product.bodies[use.turned].mesh;
         const auto [at, isNew] = heads_.try_emplace(mesh);
         if (isNew) at->second = headOf(*mesh);
@@ -89,8 +89,8 @@ ToolFacts::ToolFacts(const AssemblyPlan& plan, const SequenceQuestion& question)
   const ToolMeshes meshes(plan, question);
   for (const AssemblyStep& step : plan.steps) {
     steps_.emplace_back();
-    if (step.tool.kind == ToolKind::None) continue;
-    const std::size_t body = question.product.indexOf(step.body);
+    if (step.only().tool.kind == ToolKind::None) continue;
+    const std::size_t body = question.product.indexOf(step.only().body);
     steps_.back().body = body;
     for (const ToolUse& use : question.tools[body]) {
       const RigidBody& turned = question.product.bodies[use.turned];
@@ -104,7 +104,7 @@ ToolFacts::ToolFacts(const AssemblyPlan& plan, const SequenceQuestion& question)
       const int positions = handlePositions(use.kind);
       for (int i = 0; i < positions; ++i) {
         const double turn = 2.0 * std::numbers::pi * i / positions;
-        tool.frames.push_back(toolFrame(*head, turned.X_WB, exitDirection(step.path), turn));
+        tool.frames.push_back(toolFrame(*head, turned.X_WB, exitDirection(step.only().path), turn));
       }
       tool.positions.resize(tool.frames.size(), {std::nullopt, {tool.offWays.size(), std::nullopt}});
       steps_.back().tools.push_back(std::move(tool));
@@ -162,17 +162,38 @@ std::optional<StepTool> ToolFacts::toolOf(std::size_t number, const BodySet& the
   return preferred;
 }
 
+namespace {
+
+/// Finds what is held while the joint of a nut is opened: the fastener on the other side, with a tool for its head.
+void addHeldSide(StepMotion& motion, const SequenceQuestion& question) {
+  for (const StepJoint& joint : motion.joints) {
+    if (joint.kind != JointKind::Nut || !motion.tool.turned.empty()) continue;
+    for (const BodyId& other : joint.body == motion.body ? joint.others : std::vector<BodyId>{joint.body}) {
+      const std::size_t side = question.product.indexOf(other);
+      if (question.fasteners.empty() || question.fasteners[side] == FastenerKind::None) continue;
+      motion.tool.held = other;
+      const std::vector<ToolUse>& uses = question.tools[side];
+      const bool isForHead = !uses.empty() && uses.front().turned == side;
+      motion.tool.heldWith = isForHead ? uses.front().kind : ToolKind::None;
+      return;
+    }
+  }
+}
+
+}  // namespace
+
 void addTools(AssemblyPlan& plan, const SequenceQuestion& question, SequenceHost& host) {
   if (question.tools.empty()) return;
   ToolFacts facts(plan, question);
   std::vector<BodyGroup> groups;
   for (const AssemblyStep& step : plan.steps) groups.push_back(groupOf(step, question.product));
   host.team().run(plan.steps.size(), [&](std::size_t i) {
-    AssemblyStep& step = plan.steps[i];
-    if (step.tool.kind == ToolKind::None) return;
+    StepTool& own = plan.steps[i].only().tool;
+    if (own.kind == ToolKind::None) return;
     BodySet there = question.initial();
     for (std::size_t earlier = 0; earlier <= i; ++earlier) there = without(std::move(there), groups[earlier]);
-    if (auto tool = facts.toolOf(i, there, host.stopToken())) step.tool = std::move(*tool);
+    if (auto tool = facts.toolOf(i, there, host.stopToken())) own = std::move(*tool);
+    addHeldSide(plan.steps[i].only(), question);
   });
 }
 

@@ -107,17 +107,21 @@ double StepView::shareSeen(std::size_t body, const BodySet& present, const Vecto
   return whole > 0.0 ? visible / whole : 0.0;
 }
 
-/// Mean score of the steps: the visible share of their bodies, and their motion as seen from the side.
+/// Mean score of the motions of the steps: the visible share of their bodies, and their motion as seen from the side.
 double StepView::score(const std::vector<AssemblyStep>& steps, const BodySet& present, const Viewpoint& from) {
   double sum = 0.0;
+  std::size_t count = 0;
   for (const AssemblyStep& step : steps) {
-    const Vector3 exit = exitDirection(step.path);
-    const double aside = exit.cross(from.toEye()).norm();
-    const double handling = exit.dot(from.up()) < -kSteep ? kFromBelow : 1.0;
-    const double seen = shareSeen(bodiesOf(step, product_).front(), present, from.toEye());
-    sum += handling * (1.0 - kMotionShare + kMotionShare * aside) * (0.05 + seen);
+    for (const StepMotion& motion : step.motions) {
+      const Vector3 exit = exitDirection(motion.path);
+      const double aside = exit.cross(from.toEye()).norm();
+      const double handling = exit.dot(from.up()) < -kSteep ? kFromBelow : 1.0;
+      const double seen = shareSeen(product_.indexOf(motion.body), present, from.toEye());
+      sum += handling * (1.0 - kMotionShare + kMotionShare * aside) * (0.05 + seen);
+    }
+    count += step.motions.size();
   }
-  return steps.empty() ? 0.0 : sum / static_cast<double>(steps.size());
+  return count == 0 ? 0.0 : sum / static_cast<double>(count);
 }
 
 Viewpoint StepView::choose(const std::vector<AssemblyStep>& steps, const BodySet& present, const Viewpoint& before) {

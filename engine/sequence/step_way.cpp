@@ -6,10 +6,10 @@
 
 namespace glissade {
 
-StepWay::StepWay(const AssemblyStep& step, const RigidBody& firstBody)
+StepWay::StepWay(const StepMotion& motion, const RigidBody& firstBody)
     : radius_(std::max(1e-9, 0.5 * boundingBox(*firstBody.mesh).diagonal().norm())) {
   const Se3Metric metric(radius_);
-  for (const PathPoint& point : step.path) {
+  for (const PathPoint& point : motion.path) {
     arrival_.push_back(way_.empty() ? 0.0 : arrival_.back() + metric.distance(way_.back(), point.q));
     way_.push_back(point.q);
   }

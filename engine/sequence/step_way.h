@@ -7,16 +7,16 @@
 
 namespace glissade {
 
-/// The motion of a step at constant speed in the metric of its first body. A value.
+/// A motion at constant speed in the metric of its first body. A value.
 class StepWay {
  public:
-  StepWay(const AssemblyStep& step, const RigidBody& firstBody);
+  StepWay(const StepMotion& motion, const RigidBody& firstBody);
 
   /// Length in the metric of the first body, metres.
   double length() const { return arrival_.empty() ? 0.0 : arrival_.back(); }
   /// The radius of the metric, metres.
   double radius() const { return radius_; }
-  /// Displacement after this length, from 0 to length(): a body of the step is at movedAt(way) * X_WB, where X_WB is
+  /// Displacement after this length, from 0 to length(): a body of the motion is at movedAt(way) * X_WB, where X_WB is
   /// its assembled pose.
   Pose movedAt(double way) const;
 

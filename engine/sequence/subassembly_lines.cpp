@@ -7,6 +7,7 @@
 #include "engine/sequence/forwarding_trial.h"
 #include "engine/sequence/plan_steps.h"
 #include "engine/sequence/step_joints.h"
+#include "engine/sequence/step_stacks.h"
 #include "engine/sequence/step_tools.h"
 
 namespace glissade {
@@ -101,8 +102,9 @@ std::vector<SubassemblyLine> linesOf(std::vector<AssemblyStep>& steps, const Seq
   for (std::size_t i = 0; i < steps.size() && !host.stopToken().stopRequested(); ++i) {
     const BodyGroup group = groupOf(steps[i], question.product);
     if (group.size() == 1) continue;
-    steps[i].unit = unitIn(group.front(), question.joints).size() >= group.size();
-    if (steps[i].unit) continue;
+    StepMotion& motion = steps[i].only();
+    motion.unit = unitIn(group.front(), question.joints).size() >= group.size();
+    if (motion.unit) continue;
     lines.push_back(lineOf(group, question, trial, host));
     lines.back().step = i + 1;
   }
@@ -116,10 +118,12 @@ SubassemblyLine lineOf(const BodyGroup& group, const SequenceQuestion& question,
   AssemblyPlan plan = BestFirstStrategy().plan(own, quiet);
   addJoints(plan, own);
   addTools(plan, own, quiet);
+  plan.lines = linesOf(plan.steps, own, trial, quiet);
+  joinStacks(plan, own, quiet.stopToken());
   SubassemblyLine line;
   line.bodies = idsOf(group, question.product);
   line.staying = std::move(plan.staying);
-  line.lines = linesOf(plan.steps, own, trial, quiet);
+  line.lines = std::move(plan.lines);
   line.steps = std::move(plan.steps);
   line.stuck = std::move(plan.stuck);
   return line;
@@ -129,12 +133,14 @@ std::size_t apartIn(const std::vector<AssemblyStep>& steps, const std::vector<Su
   std::size_t count = 0;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const auto line = std::find_if(lines.begin(), lines.end(), [&](const auto& each) { return each.step == i + 1; });
-    const std::size_t bodies = 1 + steps[i].with.size();
     if (line == lines.end()) {
-      count += bodies == 1 || steps[i].unit ? bodies : 0;
+      for (const StepMotion& motion : steps[i].motions) {
+        const std::size_t bodies = 1 + motion.with.size();
+        count += bodies == 1 || motion.unit ? bodies : 0;
+      }
     } else {
       std::size_t left = 0;
-      for (const AssemblyStep& step : line->steps) left += 1 + step.with.size();
+      for (const AssemblyStep& step : line->steps) left += step.bodies().size();
       const bool isTakenApart = left + line->staying.size() == line->bodies.size();
       count += apartIn(line->steps, line->lines) + (isTakenApart ? line->staying.size() : 0);
     }

@@ -5,7 +5,7 @@
 
 namespace glissade {
 
-/// AssemblyStep::method of these steps.
+/// StepMotion::method of these motions.
 inline constexpr const char* kTwoLines = "two lines";
 
 /// Removal along two straight lines: along one of removalDirections() out of its place, then along another one out of

@@ -22,22 +22,24 @@ class StepTimer {
 
   StepTime timeOf(const AssemblyStep& step, const AssemblyStep* before) const {
     StepTime time;
-    time.fetch = fetchOf(step);
-    time.place = placeOf(step);
-    time.turn = turnOf(step);
-    if (step.tool.kind != ToolKind::None && (before == nullptr || before->tool.kind != step.tool.kind)) {
-      time.tool = times_.toolChange;
+    for (const StepMotion& motion : step.motions) {
+      time.fetch += fetchOf(motion);
+      time.place += placeOf(motion);
+      time.turn += turnOf(motion);
     }
-    time.hold = times_.hold * static_cast<double>(step.falling.size());
+    time.hold = times_.hold * static_cast<double>(step.falling().size());
+    const ToolKind tool = step.opening().tool.kind;
+    if (tool != ToolKind::None && (before == nullptr || before->opening().tool.kind != tool))
+      time.tool = times_.toolChange;
     return time;
   }
 
  private:
   /// Bodies that come as a group are fetched as one part.
-  double fetchOf(const AssemblyStep& step) const {
+  double fetchOf(const StepMotion& motion) const {
     double mass = 0.0;
     Box3 box;
-    for (const std::size_t body : product_.indicesOf(step.bodies())) {
+    for (const std::size_t body : product_.indicesOf(motion.bodies())) {
       const RigidBody& rigid = product_.bodies[body];
       mass += masses_[body] > 0.0 ? masses_[body] : densities_[body] * solidMass(*rigid.mesh).volume;
       box.extend(boundingBox(*rigid.mesh, rigid.X_WB));
@@ -49,30 +51,30 @@ class StepTimer {
   }
 
   /// A body that is turned is placed at its thread without a fit.
-  double placeOf(const AssemblyStep& step) const {
-    if (turnsOf(step) > 0.0) return times_.place;
-    if (comesApart(step, JointKind::Flexible)) return times_.lay;
-    if (comesApart(step, JointKind::Insert)) return times_.press;
-    if (step.path.size() > 2) return times_.placeLed;
-    return step.allowances.empty() ? times_.place : times_.placeAligned;
+  double placeOf(const StepMotion& motion) const {
+    if (turnsOf(motion) > 0.0) return times_.place;
+    if (comesApart(motion, JointKind::Flexible)) return times_.lay;
+    if (comesApart(motion, JointKind::Insert)) return times_.press;
+    if (motion.path.size() > 2) return times_.placeLed;
+    return motion.allowances.empty() ? times_.place : times_.placeAligned;
   }
 
-  static bool comesApart(const AssemblyStep& step, JointKind kind) {
-    return std::any_of(step.joints.begin(), step.joints.end(),
+  static bool comesApart(const StepMotion& motion, JointKind kind) {
+    return std::any_of(motion.joints.begin(), motion.joints.end(),
                        [&](const StepJoint& each) { return each.kind == kind; });
   }
 
-  double turnOf(const AssemblyStep& step) const {
-    const double turns = turnsOf(step);
+  double turnOf(const StepMotion& motion) const {
+    const double turns = turnsOf(motion);
     if (turns == 0.0) return 0.0;
-    const bool powered = step.tool.kind != ToolKind::None && step.tool.kind != ToolKind::OpenWrench;
+    const bool powered = motion.tool.kind != ToolKind::None && motion.tool.kind != ToolKind::OpenWrench;
     return times_.startThread + turns * (powered ? times_.turn : times_.turnByHand);
   }
 
-  static double turnsOf(const AssemblyStep& step) {
+  static double turnsOf(const StepMotion& motion) {
     double turns = 0.0;
-    for (const Allowance& each : step.allowances) turns = std::max(turns, std::abs(each.turns));
-    for (const StepJoint& each : step.joints) turns = std::max(turns, each.turns);
+    for (const Allowance& each : motion.allowances) turns = std::max(turns, std::abs(each.turns));
+    for (const StepJoint& each : motion.joints) turns = std::max(turns, each.turns);
     return turns;
   }
 

@@ -11627,6 +11627,34 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <source>no step</source>
         <translation>sans étape</translation>
     </message>
+    <message>
+        <source>is neither 1 nor 2</source>
+        <translation>n&apos;est ni 1 ni 2</translation>
+    </message>
+    <message>
+        <source>%1, motion %2</source>
+        <translation>%1, mouvement %2</translation>
+    </message>
+    <message>
+        <source>Hold %1 (%2).</source>
+        <translation>Maintenir %1 (%2).</translation>
+    </message>
+    <message>
+        <source>%1, %2 is held (%3)</source>
+        <translation>%1, %2 est maintenu (%3)</translation>
+    </message>
+    <message>
+        <source>Accepted clashes: %1</source>
+        <translation>Interférences acceptées&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Hold %1.</source>
+        <translation>Maintenir %1.</translation>
+    </message>
+    <message>
+        <source>%1, %2 is held</source>
+        <translation>%1, %2 est maintenu</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>

@@ -11,8 +11,9 @@ print(plan)
 
 print("base:", ", ".join(names[body] for body in plan.staying))
 for number, step in enumerate(reversed(plan.steps), start=1):
-    parts = " + ".join(names[body] for body in step.bodies)
-    print(f"{number:2}  {parts:20} {step.method:12} clearance {1e3 * step.min_clearance:.3f} mm")
+    for motion in reversed(step.motions):
+        parts = " + ".join(names[body] for body in motion.bodies)
+        print(f"{number:2}  {parts:20} {motion.method:12} clearance {1e3 * motion.min_clearance:.3f} mm")
 for joint in glissade.joints(product):
     print(f"{joint.kind} {names[joint.body]} holds {', '.join(names[body] for body in joint.others)}")
 print(glissade.check(product, plan).text)

@@ -53,6 +53,14 @@ class Cli : public testing::Test {
     return result;
   }
 
+  /// The motions of all steps of a plan.
+  static Json motionsIn(const Json& plan) {
+    Json motions = Json::array();
+    for (const Json& step : plan["steps"])
+      motions.insert(motions.end(), step["motions"].begin(), step["motions"].end());
+    return motions;
+  }
+
   /// "valid", "incomplete", ...
   std::string verdictOn(const std::string& product, const std::string& plan) const {
     return Json::parse(run("check " + product + " " + plan + " --json").out).value("verdict", "");
@@ -1035,7 +1043,7 @@ TEST_F(Cli, AProductIsTakenApartAndTheCheckAgrees) {
 
   const Json check = Json::parse(run("check " + product + " " + plan + " --accept-clashes 3mm --json").out);
   EXPECT_EQ(check["valid"], true) << check;
-  EXPECT_EQ(check["steps_valid"], 6);
+  EXPECT_EQ(check["steps_valid"], report["steps"].size());
   const Finished unaccepted = run("check " + product + " " + plan);
   EXPECT_EQ(unaccepted.exitCode, 7) << "nobody accepts the clash: " << unaccepted.out;
   EXPECT_NE(unaccepted.out.find("valid only if clashes up to 3 mm are accepted"), std::string::npos) << unaccepted.out;
@@ -1073,11 +1081,11 @@ TEST_F(Cli, APersonsDemandsOnStepsAreKeptAndJudged) {
   const std::string product = glissade::test::stepFile("fits.step");
   const std::string plan = (folder / "plan.json").string();
   const Json report = Json::parse(run("sequence " + product + " --json --out " + plan).out);
-  const std::string last = report["steps"].back()["bodies"][0];
+  const std::string last = report["steps"].back()["motions"][0]["bodies"][0];
   const std::string placed = "sequence " + product + " --json --out " + plan + " --place 1," + last;
   const Json forced = Json::parse(run(placed).out);
   EXPECT_EQ(forced["sequence"]["places"][0]["place"], 1);
-  const bool first = forced["steps"][0]["bodies"][0] == last;
+  const bool first = forced["steps"][0]["motions"][0]["bodies"][0] == last;
   EXPECT_TRUE(first || forced["stuck"].size() > report["stuck"].size()) << forced;
   EXPECT_EQ(verdictOn(product, plan), "incomplete") << "the block is stuck";
   EXPECT_EQ(run("sequence " + product + " --resume " + plan + " --place 2," + last).exitCode, 2);
@@ -1101,10 +1109,12 @@ TEST_F(Cli, InterlockedSamplesLeaveByATurnOrAsAGroupOrAreRefused) {
     EXPECT_EQ(found.exitCode, row.exitCode) << row.name << found.err;
     const Json report = Json::parse(found.out);
     ASSERT_EQ(report["steps"].size(), row.steps.size()) << row.name;
-    for (std::size_t i = 0; i < row.steps.size(); ++i) EXPECT_EQ(report["steps"][i]["bodies"], Json(row.steps[i]));
+    for (std::size_t i = 0; i < row.steps.size(); ++i) {
+      EXPECT_EQ(motionsIn(report)[i]["bodies"], Json(row.steps[i]));
+    }
     EXPECT_EQ(run("check " + file + " " + plan).exitCode, row.exitCode) << row.name;
     if (row.name == "turn") {
-      EXPECT_NE(report["steps"][0]["method"], "straight");
+      EXPECT_NE(motionsIn(report)[0]["method"], "straight");
     }
     if (row.name != "two-hands") continue;
     ASSERT_EQ(report["stuck"].size(), 2U);
@@ -1118,15 +1128,15 @@ TEST_F(Cli, DemandsAboutASequenceAreKeptAndCheapestOrdersAreCertified) {
   const std::string command = "sequence " + product + " --json --out " + plan;
   const Json demanded = Json::parse(run(command + " --before rod,screw --before screw,bracket").out);
   std::vector<std::string> order;
-  for (const Json& step : demanded["steps"]) order.push_back(step["bodies"][0]);
+  for (const Json& motion : motionsIn(demanded)) order.push_back(motion["bodies"][0]);
   const auto place = [&](const std::string& id) { return std::find(order.begin(), order.end(), id) - order.begin(); };
   EXPECT_LT(place("rod"), place("screw"));
   EXPECT_LT(place("screw"), place("bracket"));
   EXPECT_LT(place("nut"), place("bolt")) << "nuts before bolts";
-  EXPECT_EQ(demanded["steps"][static_cast<std::size_t>(place("nut"))]["fastener"], "nut");
+  EXPECT_EQ(motionsIn(demanded)[static_cast<std::size_t>(place("nut"))]["fastener"], "nut");
   const Json together = Json::parse(run(command + " --together rod,bracket").out);
   bool asOne = false;
-  for (const Json& step : together["steps"]) asOne = asOne || step["bodies"].size() == 2;
+  for (const Json& motion : motionsIn(together)) asOne = asOne || motion["bodies"].size() == 2;
   EXPECT_TRUE(asOne);
   EXPECT_EQ(verdictOn(product, plan), "incomplete") << "the block is stuck";
   EXPECT_EQ(Json::parse(run(command + " --strategy best-first").out)["removed"], 5)
@@ -1148,19 +1158,19 @@ TEST_F(Cli, ScrewsTurnOutOfTheirThreadsUnlessJointsAreOff) {
   const std::string product = glissade::test::stepFile("fits.step");
   const std::string plan = (folder / "plan.json").string();
   const auto methodOf = [&](const Json& report, const std::string& id) {
-    for (const Json& step : report["steps"]) {
-      if (step["bodies"][0] == id) return step["method"].get<std::string>();
+    for (const Json& motion : motionsIn(report)) {
+      if (motion["bodies"][0] == id) return motion["method"].get<std::string>();
     }
     return std::string("it does not leave");
   };
   const Json turned = Json::parse(run("sequence " + product + " --json --out " + plan).out);
   EXPECT_EQ(methodOf(turned, "screw"), "turned");
   EXPECT_EQ(methodOf(turned, "nut"), "turned");
-  for (const Json& step : turned["steps"]) {
-    if (step["bodies"][0] != "screw") continue;
-    EXPECT_EQ(step["joints"][0]["kind"], "screw");
-    EXPECT_EQ(step["joints"][0]["pitch_m"], 0.0008) << "the coarse pitch of M5";
-    EXPECT_GT(step["joints"][0]["turns"].get<double>(), 5.0);
+  for (const Json& motion : motionsIn(turned)) {
+    if (motion["bodies"][0] != "screw") continue;
+    EXPECT_EQ(motion["joints"][0]["kind"], "screw");
+    EXPECT_EQ(motion["joints"][0]["pitch_m"], 0.0008) << "the coarse pitch of M5";
+    EXPECT_GT(motion["joints"][0]["turns"].get<double>(), 5.0);
   }
   EXPECT_EQ(verdictOn(product, plan), "incomplete") << "the judge proves the turns, and the block is stuck";
   const Finished text = run("sequence " + product);

@@ -75,9 +75,9 @@ class LineJudge {
 
   void judge() {
     if (present_.size() != line_.bodies.size()) say("a body is listed twice");
-    for (std::size_t i = 0; i < line_.steps.size(); ++i) {
-      number_ = i + 1;
-      judgeStep(line_.steps[i]);
+    for (const StatedStep& step : line_.steps) {
+      number_ += step.continues ? 0 : 1;
+      judgeStep(step);
     }
     number_ = 0;
     countTheRest();
@@ -180,10 +180,13 @@ class LineJudge {
   }
 
   void judgeLine(const StatedLine& inner) {
-    const bool known = inner.step > 0 && inner.step <= line_.steps.size();
-    const Ids bodies(inner.bodies.begin(), inner.bodies.end());
-    const auto& left = known ? line_.steps[inner.step - 1].bodies : inner.bodies;
-    if (!known || bodies != Ids(left.begin(), left.end())) say("a line has other bodies than its step");
+    Ids left;
+    std::size_t number = 0;
+    for (const StatedStep& step : line_.steps) {
+      number += step.continues ? 0 : 1;
+      if (number == inner.step) left.insert(step.bodies.begin(), step.bodies.end());
+    }
+    if (left != Ids(inner.bodies.begin(), inner.bodies.end())) say("a line has other bodies than its step");
     LineJudge(inner, joints_, violations_).judge();
   }
 
@@ -205,20 +208,29 @@ std::vector<std::string> idsIn(const Json& object, const char* key) {
   return object.contains(key) ? object.at(key).get<std::vector<std::string>>() : std::vector<std::string>();
 }
 
+StatedStep motionIn(const Json& json) {
+  StatedStep motion{idsIn(json, "bodies"), {}, json.at("certificate").at("status") == "certified"};
+  for (const Json& at : json.at("path")) {
+    motion.path.push_back({at.at("position").get<Point>(), at.at("orientation").get<Rotation>()});
+  }
+  for (const Json& allowance : json.at("allowances")) {
+    if (allowance.at("kind") == "thread") motion.threads.push_back(allowance.at("body"));
+  }
+  return motion;
+}
+
 StatedLine lineIn(const Json& json) {
   StatedLine line;
   line.step = json.contains("step") ? json.at("step").get<std::size_t>() : 0;
   line.bodies = idsIn(json, "bodies");
   line.staying = idsIn(json, "staying");
   for (const Json& each : json.at("steps")) {
-    StatedStep step{idsIn(each, "bodies"), {}, each.at("certificate").at("status") == "certified"};
-    for (const Json& at : each.at("path")) {
-      step.path.push_back({at.at("position").get<Point>(), at.at("orientation").get<Rotation>()});
+    const bool isOfVersion1 = !each.contains("motions");
+    const Json motions = isOfVersion1 ? Json::array({each}) : each.at("motions");
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+      line.steps.push_back(motionIn(motions[i]));
+      line.steps.back().continues = i > 0;
     }
-    for (const Json& allowance : each.at("allowances")) {
-      if (allowance.at("kind") == "thread") step.threads.push_back(allowance.at("body"));
-    }
-    line.steps.push_back(std::move(step));
   }
   for (const Json& each : json.at("stuck")) line.stuck.push_back(each.at("part").get<std::string>());
   for (const Json& each : json.value("lines", Json::array())) line.lines.push_back(lineIn(each));

@@ -21,12 +21,13 @@ struct StatedJoint {
   bool isScrewed() const { return kind == "screw" || kind == "nut" || kind == "thread"; }
 };
 
-/// A step of a plan: the bodies that leave, and the frame of the step.
+/// A motion of a step of a plan: the bodies that leave, and the frame of the motion.
 struct StatedStep {
   std::vector<std::string> bodies;
   std::vector<Placement> path;
   bool certified = true;
   std::vector<std::string> threads{};  ///< bodies that its fits state as its threads
+  bool continues = false;              ///< it is of the step of the motion before it
 };
 
 /// A plan, or the line of a group that is disassembled by itself.
@@ -34,7 +35,7 @@ struct StatedLine {
   std::size_t step = 0;             ///< step by which the group has left, from 1; 0: the plan
   std::vector<std::string> bodies;  ///< all bodies
   std::vector<std::string> staying;
-  std::vector<StatedStep> steps;
+  std::vector<StatedStep> steps;  ///< the motions of all steps
   std::vector<std::string> stuck;
   std::vector<StatedLine> lines;
 };

@@ -173,7 +173,9 @@ TEST(JointOracle, TheJudgeRefusesAPullThatNobodyAskedFor) {
   EXPECT_NE(refused.output.find("without being unscrewed"), std::string::npos) << refused.output;
 
   for (auto& step : plan["steps"]) {
-    for (auto& allowance : step["allowances"]) allowance["kind"] = "cylindrical";
+    for (auto& motion : step["motions"]) {
+      for (auto& allowance : motion["allowances"]) allowance["kind"] = "cylindrical";
+    }
   }
   std::ofstream(file) << plan;
   EXPECT_EQ(runChild({program, "check", product, file}, {100.0, 4096}).exitCode, refused.exitCode)

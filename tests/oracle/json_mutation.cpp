@@ -77,6 +77,15 @@ std::string mutateAllowances(Json& list, const std::vector<std::string>& bodies,
   }
 }
 
+/// The first motion of a step.
+Json& motionOf(Json& step) { return step["motions"][0]; }
+
+std::size_t bodiesOf(const Json& step) {
+  std::size_t bodies = 0;
+  for (const Json& motion : step["motions"]) bodies += motion["bodies"].size();
+  return bodies;
+}
+
 /// Removes a step, and reduces the numbers of steps in `after` that are beyond `from` by one.
 void forgetStep(Json& steps, std::size_t from) {
   for (Json& step : steps) {
@@ -97,7 +106,7 @@ std::string mutateSteps(Json& plan, const std::vector<std::string>& bodies, Muta
     case 0: steps.erase(at); return "step dropped";
     case 1:
     case 2: {
-      const std::size_t removed = steps[at]["bodies"].size();
+      const std::size_t removed = bodiesOf(steps[at]);
       forgetStep(steps, at);
       steps.erase(at);
       plan["removed"] = plan["removed"].get<std::size_t>() - removed;
@@ -106,18 +115,19 @@ std::string mutateSteps(Json& plan, const std::vector<std::string>& bodies, Muta
     }
     case 3: {
       const std::size_t other = dice.below(steps.size());
-      for (const char* key : {"bodies", "path", "allowances"}) std::swap(steps[at][key], steps[other][key]);
+      for (const char* key : {"bodies", "path", "allowances"})
+        std::swap(motionOf(steps[at])[key], motionOf(steps[other])[key]);
       return "steps swapped";
     }
     case 4: {
       const Json copy = steps[at];
       steps.push_back(copy);
-      if (dice.flip()) plan["removed"] = plan["removed"].get<std::size_t>() + copy["bodies"].size();
+      if (dice.flip()) plan["removed"] = plan["removed"].get<std::size_t>() + bodiesOf(copy);
       return "step doubled";
     }
     case 5: steps[at]["after"] = Json::array(); return "step after nothing";
     case 6:
-      steps[at]["bodies"] = {dice.below(4) == 0 ? "nobody" : bodies[dice.below(bodies.size())]};
+      motionOf(steps[at])["bodies"] = {dice.below(4) == 0 ? "nobody" : bodies[dice.below(bodies.size())]};
       return "another body";
     default: steps[at]["after"].push_back(dice.below(steps.size() + 3)); return "after another step";
   }
@@ -140,7 +150,7 @@ std::string mutateClaims(Json& plan, const std::vector<std::string>& bodies, Mut
       return "no steps";
     case 8: plan["certified"] = false; return "not certified";
     case 9:
-      steps[dice.below(steps.size())]["certificate"]["status"] = dice.flip() ? "violated" : "undecided";
+      motionOf(steps[dice.below(steps.size())])["certificate"]["status"] = dice.flip() ? "violated" : "undecided";
       return "status";
     case 10: plan["deflection_m"] = dice.flip() ? Json(0.02) : beyondLimits(dice); return "deflection";
     default: plan["end"] = dice.flip() ? "stuck" : "finished"; return "end";
@@ -155,10 +165,10 @@ std::string mutatePath(Json& path, const std::string& body, MutationDice& dice) 
 }
 
 std::string mutatePlan(Json& plan, const std::vector<std::string>& bodies, MutationDice& dice) {
-  Json& step = plan["steps"][dice.below(plan["steps"].size())];
+  Json& motion = motionOf(plan["steps"][dice.below(plan["steps"].size())]);
   switch (dice.below(4)) {
-    case 0: return mutatePoses(step["path"], dice);
-    case 1: return mutateAllowances(step["allowances"], bodies, dice);
+    case 0: return mutatePoses(motion["path"], dice);
+    case 1: return mutateAllowances(motion["allowances"], bodies, dice);
     case 2: return mutateSteps(plan, bodies, dice);
     default: return mutateClaims(plan, bodies, dice);
   }

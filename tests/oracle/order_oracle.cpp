@@ -40,7 +40,7 @@ class OrderJudge {
       const std::vector<std::string>& leaving = line_.steps[i].bodies;
       for (const std::string& id : leaving) there.erase(id);
       if (!touchesAny(leaving, all) || touchesAny(leaving, there)) continue;
-      say(i + 1, "puts '" + leaving[0] + "' into the air");
+      say(i, "puts '" + leaving[0] + "' into the air");
     }
     for (const StatedJoint& joint : joints_) {
       if (joint.kind == "nut") judgeStack(joint);
@@ -49,7 +49,10 @@ class OrderJudge {
   }
 
  private:
-  void say(std::size_t number, const std::string& what) {
+  /// `motion`: its index in the line.
+  void say(std::size_t motion, const std::string& what) {
+    const auto end = line_.steps.begin() + static_cast<std::ptrdiff_t>(motion) + 1;
+    const auto number = std::count_if(line_.steps.begin(), end, [](const StatedStep& step) { return !step.continues; });
     const std::string where = line_.step == 0 ? "" : "in the line of step " + std::to_string(line_.step) + ": ";
     violations_.push_back(where + "step " + std::to_string(number) + " " + what);
   }
@@ -65,8 +68,8 @@ class OrderJudge {
     });
   }
 
-  /// Number of steps if the body does not leave alone.
-  std::size_t stepOf(const std::string& id) const {
+  /// Index of the motion of the body; the number of motions if it does not leave alone.
+  std::size_t motionOf(const std::string& id) const {
     const auto found = std::find_if(line_.steps.begin(), line_.steps.end(), [&](const StatedStep& step) {
       return step.bodies == std::vector<std::string>{id};
     });
@@ -75,14 +78,17 @@ class OrderJudge {
 
   void judgeStack(const StatedJoint& nut) {
     for (const std::string& bolt : nut.others) {
-      const auto [first, last] = std::minmax({stepOf(nut.body), stepOf(bolt)});
+      const auto [first, last] = std::minmax({motionOf(nut.body), motionOf(bolt)});
       if (last >= line_.steps.size()) continue;
       for (std::size_t i = first + 1; i < last; ++i) {
         const std::string& between = line_.steps[i].bodies.front();
         const bool isOwn = std::count(nut.clamped.begin(), nut.clamped.end(), between) != 0 || isOn(bolt, between);
         if (isOwn) continue;
-        say(i + 1, "puts '" + between + "' between '" + nut.body + "' and '" + bolt + "'");
+        say(i, "puts '" + between + "' between '" + nut.body + "' and '" + bolt + "'");
         return;
+      }
+      if (last == first + 1 && !line_.steps[last].continues) {
+        say(last, "is not one with the step of '" + line_.steps[first].bodies.front() + "'");
       }
     }
   }

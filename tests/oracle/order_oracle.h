@@ -14,7 +14,8 @@ using StatedContacts = std::vector<std::pair<std::string, std::string>>;
 /// The violations for which an assembler would refuse the order of a plan, as texts; empty: none. Lines of groups are
 /// judged, too.
 /// - bodies are put into the air: they touch no body that is there, are joined to none, and touch one in the product
-/// - a stack is split: between a nut and its bolt a body is put in that is neither of the stack nor clamped by it
+/// - a stack is split: between a nut and its bolt a body is put in that is neither of the stack nor clamped by it, or
+///   the two follow each other and are not one step
 std::vector<std::string> orderViolationsOf(const StatedLine& plan, const std::vector<StatedJoint>& joints,
                                            const StatedContacts& contacts);
 

@@ -18,6 +18,12 @@ StatedLine removedInOrder(const Texts& order) {
   return plan;
 }
 
+/// The motions at these indices are of the step of the motion before them.
+StatedLine joinedAt(const std::vector<std::size_t>& motions, StatedLine plan) {
+  for (const std::size_t motion : motions) plan.steps[motion].continues = true;
+  return plan;
+}
+
 StatedJoint nutOn(const std::string& nut, const std::string& bolt, const Texts& clamped) {
   return {"nut", nut, {bolt}, clamped};
 }
@@ -39,9 +45,12 @@ TEST(OrderOracle, RefusesAStackWithOtherWorkInIt) {
   const std::vector<StatedJoint> joints{nutOn("nut", "bolt", {"plate"}), nutOn("other nut", "other bolt", {"plate"})};
   const StatedContacts contacts{{"base", "plate"}, {"base", "bolt"}, {"base", "other bolt"}};
   const Texts stackByStack{"nut", "bolt", "other nut", "other bolt", "plate"};
-  EXPECT_EQ(orderViolationsOf(removedInOrder(stackByStack), joints, contacts), Texts());
+  EXPECT_EQ(orderViolationsOf(joinedAt({1, 3}, removedInOrder(stackByStack)), joints, contacts), Texts());
+  EXPECT_EQ(orderViolationsOf(joinedAt({1}, removedInOrder(stackByStack)), joints, contacts),
+            Texts{"step 3 is not one with the step of 'other nut'"});
   const Texts plateOnBolt{"nut", "plate", "bolt", "other nut", "other bolt"};
-  EXPECT_EQ(orderViolationsOf(removedInOrder(plateOnBolt), joints, contacts), Texts()) << "the plate is on the bolt";
+  EXPECT_EQ(orderViolationsOf(joinedAt({4}, removedInOrder(plateOnBolt)), joints, contacts), Texts())
+      << "the plate is on the bolt";
   const Texts split =
       orderViolationsOf(removedInOrder({"nut", "other nut", "bolt", "other bolt", "plate"}), joints, contacts);
   ASSERT_EQ(split.size(), 2U);

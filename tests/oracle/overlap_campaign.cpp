@@ -85,12 +85,12 @@ class Overlaps {
     return runCli(std::move(arguments));
   }
 
-  /// The direction of the first motion of the plan's only step, of the object relative to the block.
+  /// The direction of the plan's only motion, of the object relative to the block.
   Direction wayOf(const std::string& plan) const {
     std::ifstream stream(plan);
     const Json json = Json::parse(stream);
-    const Json& step = json.at("steps").at(0);
-    const Json& points = step.at("path");
+    const Json& motion = json.at("steps").at(0).at("motions").at(0);
+    const Json& points = motion.at("path");
     Direction way{};
     double length = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -98,7 +98,7 @@ class Overlaps {
       length = std::hypot(length, way[i]);
     }
     std::ifstream file(scenario());
-    const bool isObject = Json::parse(file).at("object").at("id") == step.at("bodies").at(0);
+    const bool isObject = Json::parse(file).at("object").at("id") == motion.at("bodies").at(0);
     for (double& each : way) each *= (isObject ? 1.0 : -1.0) / length;
     return way;
   }

@@ -56,9 +56,33 @@ bool isCount(const Json& value, std::size_t count) {
   return value.is_number_integer() && value.get<std::int64_t>() == static_cast<std::int64_t>(count);
 }
 
+/// The plan with each motion as a step, which is after the earlier motions of its step.
+Json flattened(const Json& plan) {
+  Json flat = plan;
+  flat["steps"] = Json::array();
+  std::vector<Json> numbers;  // of the motions of each step
+  for (const Json& step : plan.at("steps")) {
+    Json after = Json::array();
+    for (const Json& each : step.value("after", Json::array())) {
+      const auto number = each.get<std::size_t>();
+      const bool isEarlier = number > 0 && number <= numbers.size();
+      for (const Json& one : isEarlier ? numbers[number - 1] : Json::array({0})) after.push_back(one);
+    }
+    Json own = Json::array();
+    for (Json motion : step.at("motions")) {
+      if (step.contains("after")) motion["after"] = after;
+      flat["steps"].push_back(std::move(motion));
+      own.push_back(flat["steps"].size());
+      after.push_back(flat["steps"].size());
+    }
+    numbers.push_back(std::move(own));
+  }
+  return flat;
+}
+
 class PlanOracle {
  public:
-  PlanOracle(const Json& plan, const std::vector<PlanBody>& product) : plan_(plan), product_(product) {
+  PlanOracle(const Json& plan, const std::vector<PlanBody>& product) : plan_(flattened(plan)), product_(product) {
     for (const PlanBody& body : product) bodies_[body.id] = &body;
   }
 
@@ -190,7 +214,7 @@ class PlanOracle {
     return {};
   }
 
-  const Json& plan_;
+  const Json plan_;
   const std::vector<PlanBody>& product_;
   std::map<std::string, const PlanBody*> bodies_;
   std::set<std::string> staying_;

@@ -16,21 +16,34 @@ WordMutant byWords(const std::string& what) { return {what, MutantTruth::ByWords
 
 Json& anyOf(Json& list, MutationDice& dice) { return list[dice.below(list.size())]; }
 
-/// A random step that turns out of the thread of a joint; null if there is none.
-Json* screwedStep(Json& plan, MutationDice& dice) {
-  std::vector<Json*> steps;
-  for (Json& step : plan["steps"]) {
-    if (step.value("method", "") == "turned" && step.contains("joints")) steps.push_back(&step);
+/// The motions of the steps from `first` on.
+std::vector<Json*> motionsFrom(std::size_t first, Json& steps) {
+  std::vector<Json*> motions;
+  for (std::size_t i = first; i < steps.size(); ++i) {
+    for (Json& motion : steps[i]["motions"]) motions.push_back(&motion);
   }
-  return steps.empty() ? nullptr : steps[dice.below(steps.size())];
+  return motions;
 }
 
-Json* stepWithAllowance(Json& plan, MutationDice& dice) {
-  std::vector<Json*> steps;
-  for (Json& step : plan["steps"]) {
-    if (!step["allowances"].empty()) steps.push_back(&step);
-  }
-  return steps.empty() ? nullptr : steps[dice.below(steps.size())];
+std::vector<Json*> motionsOf(Json& plan) { return motionsFrom(0, plan["steps"]); }
+
+Json* anyOf(const std::vector<Json*>& motions, MutationDice& dice) {
+  return motions.empty() ? nullptr : motions[dice.below(motions.size())];
+}
+
+/// A random motion that turns out of the thread of a joint; null if there is none.
+Json* screwedMotion(Json& plan, MutationDice& dice) {
+  std::vector<Json*> motions = motionsOf(plan);
+  std::erase_if(motions, [](const Json* motion) {
+    return motion->value("method", "") != "turned" || !motion->contains("joints");
+  });
+  return anyOf(motions, dice);
+}
+
+Json* motionWithAllowance(Json& plan, MutationDice& dice) {
+  std::vector<Json*> motions = motionsOf(plan);
+  std::erase_if(motions, [](Json* motion) { return (*motion)["allowances"].empty(); });
+  return anyOf(motions, dice);
 }
 
 void scale(Json& number, double factor) { number = number.get<double>() * factor; }
@@ -44,7 +57,7 @@ WordMutant mutateCounts(Json& plan, MutationDice& dice) {
 WordMutant mutateCertificate(Json& plan, MutationDice& dice) {
   Json& steps = plan["steps"];
   const std::size_t at = dice.below(steps.size());
-  Json& certificate = steps[at]["certificate"];
+  Json& certificate = anyOf(steps[at]["motions"], dice)["certificate"];
   switch (dice.below(5)) {
     case 0: certificate["after_steps"] = at + 1 + dice.below(20); return falseMutant("after_steps");
     case 1: scale(certificate["required_m"], dice.magnitude(1.5, 1e4)); return falseMutant("required_m raised");
@@ -69,15 +82,17 @@ WordMutant mutateUnknownKeys(Json& plan, MutationDice& dice) {
     case 0: step["ends_outside"] = true; break;
     case 1: step["seconds"] = dice.uniform(1.0, 100.0); break;
     case 2: plan["wall_s"] = dice.uniform(1.0, 100.0); break;
-    default: step["tool"] = {{"kind", "socket"}, {"access", "free"}, {"size_m", dice.magnitude(1e-3, 10.0)}};
+    default:
+      anyOf(step["motions"], dice)["tool"] = {
+          {"kind", "socket"}, {"access", "free"}, {"size_m", dice.magnitude(1e-3, 10.0)}};
   }
   return falseMutant("a key that is not known");
 }
 
 WordMutant mutateJointNumbers(Json& plan, MutationDice& dice) {
-  Json* step = screwedStep(plan, dice);
-  if (step == nullptr) return mutateCounts(plan, dice);
-  Json& joint = anyOf((*step)["joints"], dice);
+  Json* motion = screwedMotion(plan, dice);
+  if (motion == nullptr) return mutateCounts(plan, dice);
+  Json& joint = anyOf((*motion)["joints"], dice);
   switch (dice.below(6)) {
     case 0: scale(joint["turns"], dice.magnitude(1.1, 1e3)); return falseMutant("turns raised");
     case 1: scale(joint["turns"], dice.magnitude(1e-3, 0.9)); return falseMutant("turns lowered");
@@ -89,10 +104,10 @@ WordMutant mutateJointNumbers(Json& plan, MutationDice& dice) {
 }
 
 WordMutant mutateDrive(Json& plan, MutationDice& dice) {
-  for (Json& step : plan["steps"]) {
-    for (Json& joint : step.value("joints", Json::array())) {
+  for (Json* motion : motionsOf(plan)) {
+    for (const Json& joint : motion->value("joints", Json::array())) {
       if (!joint.contains("drive_size_m")) continue;
-      for (Json& each : step["joints"]) {
+      for (Json& each : (*motion)["joints"]) {
         if (each.contains("drive_size_m")) each["drive_size_m"] = dice.magnitude(1.0, 100.0);
       }
       return falseMutant("drive_size_m");
@@ -102,9 +117,9 @@ WordMutant mutateDrive(Json& plan, MutationDice& dice) {
 }
 
 WordMutant mutateAllowanceNumbers(Json& plan, MutationDice& dice) {
-  Json* step = stepWithAllowance(plan, dice);
-  if (step == nullptr) return mutateCounts(plan, dice);
-  Json& allowance = anyOf((*step)["allowances"], dice);
+  Json* motion = motionWithAllowance(plan, dice);
+  if (motion == nullptr) return mutateCounts(plan, dice);
+  Json& allowance = anyOf((*motion)["allowances"], dice);
   switch (dice.below(5)) {
     case 0:
       allowance["overlap_m"] = allowance["overlap_m"].get<double>() + dice.magnitude(1e-3, 1.0);
@@ -121,7 +136,7 @@ WordMutant mutateAllowanceNumbers(Json& plan, MutationDice& dice) {
         if (!allowance["evidence"].contains(key)) allowance["evidence"][key] = 0.0;
       }
       return falseMutant("by_person_m");
-    case 3: allowance["body"] = (*step)["bodies"][0]; return falseMutant("host is the body itself");
+    case 3: allowance["body"] = (*motion)["bodies"][0]; return falseMutant("host is the body itself");
     default: allowance["yields"] = !allowance.value("yields", false); return {"yields", MutantTruth::Unknown};
   }
 }
@@ -131,13 +146,12 @@ WordMutant mutateBase(Json& plan, MutationDice& dice) {
   Json& steps = plan["steps"];
   if (steps.size() < 2) return mutateCounts(plan, dice);
   const std::size_t kept = 1 + dice.below(steps.size() - 1);
-  while (steps.size() > kept) {
-    for (const Json& body : steps.back()["bodies"]) plan["staying"].push_back(body);
-    steps.erase(steps.size() - 1);
+  for (const Json* motion : motionsFrom(kept, steps)) {
+    for (const Json& body : (*motion)["bodies"]) plan["staying"].push_back(body);
   }
-  plan["parts"] = kept;
-  plan["removed"] = kept;
-  plan["apart"] = kept;
+  while (steps.size() > kept) steps.erase(steps.size() - 1);
+  const std::size_t removed = motionsOf(plan).size();
+  for (const char* key : {"parts", "removed", "apart"}) plan[key] = removed;
   return byWords("base of several bodies");
 }
 
@@ -147,37 +161,41 @@ WordMutant mutateGroup(Json& plan, MutationDice& dice) {
   if (steps.size() < 2) return mutateCounts(plan, dice);
   const std::size_t first = dice.below(steps.size() - 1);
   const bool isUnit = dice.flip();
+  const std::vector<Json*> motions = motionsFrom(first, steps);
   std::vector<std::string> bodies;
-  for (std::size_t i = first; i < steps.size(); ++i) bodies.push_back(steps[i]["bodies"][0]);
-  Json group = steps.back();
+  for (const Json* motion : motions) bodies.push_back((*motion)["bodies"][0]);
+  Json group = *motions.back();
   std::rotate(bodies.begin(), bodies.end() - 1, bodies.end());
   group["bodies"] = bodies;
   group["certificate"] = {{"status", "certified"}};
   group.erase("joints");
-  group.erase("after");
   Json allowances = Json::array();
-  for (std::size_t i = first; i < steps.size(); ++i) {
-    for (Json allowance : steps[i]["allowances"]) {
+  for (const Json* motion : motions) {
+    for (Json allowance : (*motion)["allowances"]) {
       const bool isInside = std::find(bodies.begin(), bodies.end(), allowance["body"]) != bodies.end();
-      allowance["moving"] = steps[i]["bodies"][0];
+      allowance["moving"] = (*motion)["bodies"][0];
       if (!isInside) allowances.push_back(allowance);
     }
   }
   group["allowances"] = allowances;
   if (isUnit) group["unit"] = true;
+  Json step = steps.back();
+  step["motions"] = Json::array({group});
+  step.erase("after");
   while (steps.size() > first) steps.erase(steps.size() - 1);
-  steps.push_back(group);
-  plan["apart"] = isUnit ? first + bodies.size() : first;
+  const std::size_t alone = motionsOf(plan).size();
+  steps.push_back(step);
+  plan["apart"] = isUnit ? alone + bodies.size() : alone;
   return byWords(isUnit ? "a unit of its own" : "a group that is not taken apart");
 }
 
 WordMutant mutateFlexible(Json& plan, MutationDice& dice) {
-  Json& step = anyOf(plan["steps"], dice);
-  step["certificate"] = {{"status", "not_certified"}, {"after_steps", 0}};
-  step["allowances"] = Json::array();
-  step["joints"] = {{{"kind", "flexible"}, {"body", step["bodies"][0]}, {"others", Json::array()}}};
+  Json& motion = anyOf(anyOf(plan["steps"], dice)["motions"], dice);
+  motion["certificate"] = {{"status", "not_certified"}, {"after_steps", 0}};
+  motion["allowances"] = Json::array();
+  motion["joints"] = {{{"kind", "flexible"}, {"body", motion["bodies"][0]}, {"others", Json::array()}}};
   if (dice.flip()) {
-    plan["sequence"]["joints"] = {{{"kind", "flexible"}, {"body", step["bodies"][0]}, {"word", "confirmed"}}};
+    plan["sequence"]["joints"] = {{{"kind", "flexible"}, {"body", motion["bodies"][0]}, {"word", "confirmed"}}};
   }
   plan["certified"] = false;
   return byWords("a flexible body");
@@ -189,8 +207,8 @@ WordMutant mutateDemand(Json& plan, MutationDice& dice) {
   if (steps.size() < 2) return mutateCounts(plan, dice);
   const std::size_t earlier = dice.below(steps.size() - 1);
   const std::size_t later = earlier + 1 + dice.below(steps.size() - earlier - 1);
-  const Json& late = steps[later]["bodies"][0];
-  plan["sequence"]["before"] = {{late, steps[earlier]["bodies"][0]}};
+  const Json& late = steps[later]["motions"][0]["bodies"][0];
+  plan["sequence"]["before"] = {{late, steps[earlier]["motions"][0]["bodies"][0]}};
   if (dice.below(3) == 0) return falseMutant("a broken demand");
   steps[earlier]["violates"] = {{{"rule", "before"}, {"bodies", {late}}}};
   return byWords("a demand that is given up");
@@ -208,16 +226,16 @@ Rotation turned(const Point& axis, double angle, const Rotation& q) {
 
 /// Turns the body out with another pitch or in the other sense, or pulls it, as the plan's words allow.
 WordMutant mutateThread(Json& plan, MutationDice& dice) {
-  Json* step = screwedStep(plan, dice);
-  if (step == nullptr) return mutateCounts(plan, dice);
-  Json& path = (*step)["path"];
+  Json* motion = screwedMotion(plan, dice);
+  if (motion == nullptr) return mutateCounts(plan, dice);
+  Json& path = (*motion)["path"];
   const Json first = path.front();
   const Json last = path.back();
   Point way;
   for (std::size_t i = 0; i < 3; ++i) way[i] = positionOf(last)[i] - positionOf(first)[i];
   const double length = std::sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
   for (double& each : way) each /= length;
-  Json& joint = (*step)["joints"][0];
+  Json& joint = (*motion)["joints"][0];
   const double turnedAway = joint["turns"].get<double>() * std::abs(joint["pitch_m"].get<double>());
   const std::size_t kind = dice.below(4);
   double pitch = joint["pitch_m"].get<double>();
@@ -241,14 +259,14 @@ WordMutant mutateThread(Json& plan, MutationDice& dice) {
     }
     const double whole = pitch < 0.0 ? -turns : turns;
     path.push_back(pointAt(length, whole * kFullTurn));
-    for (Json& each : (*step)["joints"]) {
+    for (Json& each : (*motion)["joints"]) {
       each["turns"] = turns;
       if (each.contains("pitch_m")) each["pitch_m"] = pitch;
     }
     return byWords(kind == 0 ? "a thread of the other hand" : "a thread of another pitch");
   }
   path.push_back(pointAt(length, 0.0));
-  for (Json& each : (*step)["joints"]) each["turns"] = 0.0;
+  for (Json& each : (*motion)["joints"]) each["turns"] = 0.0;
   if (kind == 2) {
     plan["sequence"]["joint_use"] = "off";
     return byWords("pulled without joints");
@@ -265,16 +283,16 @@ WordMutant mutateThread(Json& plan, MutationDice& dice) {
 
 /// Adds a bend that makes room although there is no hook.
 WordMutant mutateBend(Json& plan, MutationDice& dice) {
-  Json* step = stepWithAllowance(plan, dice);
-  if (step == nullptr) return mutateCounts(plan, dice);
-  Json& allowance = anyOf((*step)["allowances"], dice);
+  Json* motion = motionWithAllowance(plan, dice);
+  if (motion == nullptr) return mutateCounts(plan, dice);
+  Json& allowance = anyOf((*motion)["allowances"], dice);
   const double bend = dice.magnitude(1e-4, 5e-3);
-  const Point from = positionOf((*step)["path"].front());
-  const Point to = positionOf((*step)["path"].back());
+  const Point from = positionOf((*motion)["path"].front());
+  const Point to = positionOf((*motion)["path"].back());
   Point way;
   for (std::size_t i = 0; i < 3; ++i) way[i] = to[i] - from[i];
   plan["sequence"]["joints"] = {{{"kind", "snap"},
-                                 {"body", (*step)["bodies"][0]},
+                                 {"body", (*motion)["bodies"][0]},
                                  {"others", {allowance["body"]}},
                                  {"word", "confirmed"},
                                  {"made", {{"point", from}, {"direction", way}, {"bend_m", bend}}}}};

@@ -36,7 +36,7 @@ void findEnumerations(const nlohmann::json& schema, const std::string& value,
 
 TEST(JointKindRecipe, TheSchemasHaveTheNames) {
   const std::vector<std::string> names(kJointKindNames.names.begin(), kJointKindNames.names.end());
-  for (const char* name : {"joints-1", "scenario-1", "plan-1"}) {
+  for (const char* name : {"joints-1", "scenario-1", "plan-2"}) {
     const std::string file = test::sourceDirectory() + "/resources/schema/" + name + ".schema.json";
     std::vector<std::vector<std::string>> found;
     findEnumerations(nlohmann::json::parse(test::readWhole(file)), "permanent", found);
@@ -47,16 +47,16 @@ TEST(JointKindRecipe, TheSchemasHaveTheNames) {
 
 /// A step that works on a joint of this kind.
 AssemblyStep stepWith(JointKind kind) {
-  AssemblyStep step;
-  step.body = "part";
-  step.path = {{Pose::identity()}, {Pose::translation({1.0, 0.0, 0.0})}};
+  AssemblyStep step{{StepMotion()}};
+  step.only().body = "part";
+  step.only().path = {{Pose::identity()}, {Pose::translation({1.0, 0.0, 0.0})}};
   StepJoint joint;
   joint.kind = kind;
   joint.body = "part";
   joint.others = {"host"};
   joint.turns = 3.0;
   joint.bend = 0.001;
-  step.joints = {joint};
+  step.only().joints = {joint};
   return step;
 }
 
@@ -71,20 +71,20 @@ TEST(JointKindRecipe, ReportAndInstructionHaveTheirWordsInBothLanguages) {
   const PlanWords french(Language::French, length);
   const AssemblyStep without = [] {
     AssemblyStep step = stepWith(JointKind::Pin);
-    step.joints.clear();
+    step.only().joints.clear();
     return step;
   }();
   for (const JointKind kind : allJointKinds()) {
     const char* name = kJointKindNames.of(kind);
     const AssemblyStep step = stepWith(kind);
     for (const PlanOrder order : {PlanOrder::Removal, PlanOrder::Assembly}) {
-      const auto words = english.joints(step, product, order);
+      const auto words = english.joints(step.only(), product, order);
       EXPECT_EQ(words.empty(), !comesApart(kind)) << name;
-      EXPECT_TRUE(words.empty() || words != french.joints(step, product, order)) << name;
+      EXPECT_TRUE(words.empty() || words != french.joints(step.only(), product, order)) << name;
     }
-    const std::string sentence = workSentence(step, "part", Language::English);
-    EXPECT_EQ(sentence == workSentence(without, "part", Language::English), !comesApart(kind)) << name;
-    EXPECT_NE(sentence, workSentence(step, "part", Language::French)) << name;
+    const std::string sentence = workSentence(step.only(), "part", Language::English);
+    EXPECT_EQ(sentence == workSentence(without.only(), "part", Language::English), !comesApart(kind)) << name;
+    EXPECT_NE(sentence, workSentence(step.only(), "part", Language::French)) << name;
   }
 }
 

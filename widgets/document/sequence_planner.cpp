@@ -27,8 +27,9 @@ class AnnouncingHost final : public SequenceHost {
         token_(stop_.token()),
         team_(team),
         announce_(std::move(announce)) {
-    if (job.resumed) grown_.plan = job.resumed;
-    known_ = job.resumed ? job.resumed->steps.size() : 0;
+    if (!job.resumed) return;
+    grown_.plan = job.resumed;
+    for (const AssemblyStep& step : job.resumed->steps) known_ += step.motions.size();
     stopWhereEnough(known_);
   }
 
@@ -40,7 +41,9 @@ class AnnouncingHost final : public SequenceHost {
   void stepFound(const AssemblyPlan& plan) override {
     grown_.plan = std::make_shared<const AssemblyPlan>(plan);
     const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
-    grown_.foundAfter.resize(plan.steps.size() - known_, seconds);
+    for (std::size_t i = known_; i < plan.steps.size(); ++i) {
+      grown_.foundAfter.try_emplace(plan.steps[i].only().body, seconds);
+    }
     const double parts = static_cast<double>(std::max<std::size_t>(1, plan.parts()));
     watch_.report(kFitsShare + (1.0 - kFitsShare) * static_cast<double>(plan.steps.size()) / parts);
     announce_(grown_);
@@ -49,8 +52,6 @@ class AnnouncingHost final : public SequenceHost {
 
   GrownPlan ended(AssemblyPlan plan) {
     if (job_.mostSteps) keepFirst(*job_.mostSteps, plan);
-    grown_.foundAfter.resize(
-        std::min(grown_.foundAfter.size(), plan.steps.size() - std::min(known_, plan.steps.size())));
     grown_.plan = std::make_shared<const AssemblyPlan>(std::move(plan));
     return grown_;
   }
@@ -61,9 +62,10 @@ class AnnouncingHost final : public SequenceHost {
     if (plan.steps.size() <= most) return;
     const auto rest = plan.steps.begin() + static_cast<std::ptrdiff_t>(most);
     for (auto step = rest; step != plan.steps.end(); ++step) {
-      if (step->proof.afterSteps > most) continue;  // its proof needs other bodies to have left
-      plan.waiting.push_back(*step);
-      plan.waiting.back().after.clear();
+      for (const StepMotion& motion : step->motions) {
+        // Other motions need other bodies to have left.
+        if (motion.proof.afterSteps <= most) plan.waiting.push_back(motion);
+      }
     }
     plan.steps.erase(rest, plan.steps.end());
     std::erase_if(plan.refusals, [&](const RefusedRemoval& refused) { return refused.afterSteps > most; });
@@ -82,7 +84,7 @@ class AnnouncingHost final : public SequenceHost {
   ThreadTeam& team_;
   Announce announce_;
   Clock::time_point begin_ = Clock::now();
-  std::size_t known_ = 0;
+  std::size_t known_ = 0;  ///< number of motions of the resumed plan
   GrownPlan grown_;
 };
 
@@ -151,8 +153,8 @@ PlanCheck checkOf(const AssemblyPlan& plan, const AssembledProduct& product, con
                   const WorkWatch& watch) {
   const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt, watch, &said);
   PlanCheck check;
-  for (const check::StepVerdict& step : verdict.steps) {
-    check.steps.push_back(step.valid() ? StepCheck::Agrees : StepCheck::Disagrees);
+  for (std::size_t step = 1; step <= plan.steps.size(); ++step) {
+    check.steps.push_back(verdict.isValid(step) ? StepCheck::Agrees : StepCheck::Disagrees);
   }
   for (const check::Condition& condition : verdict.allConditions()) check.conditions.push_back(condition.text);
   return check;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,8 +36,9 @@ struct SequenceJob {
 /// A plan as far as it has been found.
 struct GrownPlan {
   PlanPtr plan;
-  /// Seconds since planning began, for each of the last steps, which were found since then.
-  std::vector<double> foundAfter;
+  /// Seconds from the beginning of planning until each motion was found, by the first body of the motion; without those
+  /// that were known before.
+  std::map<BodyId, double> foundAfter;
 };
 
 /// Verdict of the independent check on the plan; `said` are a person's statements about the product.

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/operator/controllers/grasping_hand.h"
-#include "engine/sequence/plan_bodies.h"
+#include "engine/sequence/plan_playback.h"
 #include "widgets/scene3d/scene_pick.h"
 #include "widgets/sequence/sequence_controller.h"
 
@@ -11,8 +11,8 @@ namespace glissade {
 namespace {
 
 constexpr int kWalkTick = 16;  ///< ms
-/// Largest share of a step's motion on the slider: a share of 1 would be the next step.
-constexpr double kFarthestOfStep = 0.99;
+/// Largest share of a motion on the slider: a share of 1 would be the next motion.
+constexpr double kFarthest = 0.99;
 constexpr const char* kWalkAction = "headset.instruction";
 
 }  // namespace
@@ -57,16 +57,26 @@ void InstructionWalk::setOn(bool on) {
   goTo(sequence_.shown().plan->steps.size() - 1);
 }
 
-void InstructionWalk::goTo(std::size_t step) {
-  const ShownPlan& shown = sequence_.shown();
-  const AssemblyStep& way = shown.plan->steps[step];
-  const RigidBody& first = shown.product->bodies[bodiesOf(way, *shown.product).front()];
+void InstructionWalk::goTo(std::size_t step) { goTo(step, sequence_.shown().plan->steps[step].motions.size() - 1); }
+
+void InstructionWalk::goTo(std::size_t step, std::size_t motion) {
   step_ = step;
-  part_.emplace(StepWay(way, first), first.X_WB);
+  motion_ = motion;
+  const RigidBody& first = sequence_.shown().product->body(motionInHand().body);
+  part_.emplace(StepWay(motionInHand(), first), first.X_WB);
   X_GB_.reset();
-  sequence_.panel()->showTime(static_cast<double>(step) + kFarthestOfStep * part_->share());
-  say(tr("Take %1").arg(sequence_.panel()->partsText(step)));
-  if (part_->isAssembled()) finishStep();  // a motion without length ends at once
+  showPart();
+  say(tr("Take %1").arg(joinedNames(motionInHand().bodies(), *sequence_.shown().product)));
+  if (part_->isAssembled()) finishMotion();  // a motion without length ends at once
+}
+
+const StepMotion& InstructionWalk::motionInHand() const {
+  return sequence_.shown().plan->steps[step_].motions[motion_];
+}
+
+void InstructionWalk::showPart() {
+  const PlayedMotion played{step_, motion_, kFarthest * part_->share()};
+  sequence_.panel()->showTime(played.time(*sequence_.shown().plan));
 }
 
 /// Moves the part with the hand that grips it; a part that is let go stays.
@@ -84,12 +94,16 @@ void InstructionWalk::follow(const ControllerReading& now) {
   const double before = part_->share();
   part_->lead(*now.X_WG * *X_GB_);
   if (part_->share() == before) return;
-  sequence_.panel()->showTime(static_cast<double>(step_) + kFarthestOfStep * part_->share());
-  if (part_->isAssembled()) finishStep();
+  showPart();
+  if (part_->isAssembled()) finishMotion();
 }
 
-void InstructionWalk::finishStep() {
+void InstructionWalk::finishMotion() {
   X_GB_.reset();
+  if (motion_ > 0) {
+    goTo(step_, motion_ - 1);
+    return;
+  }
   if (step_ > 0) {
     goTo(step_ - 1);
     return;
@@ -98,13 +112,13 @@ void InstructionWalk::finishStep() {
   say(tr("The product is assembled"));
 }
 
-std::vector<RigidBody> InstructionWalk::partsOfStep() const {
+std::vector<RigidBody> InstructionWalk::partsInHand() const {
   const ShownPlan& shown = sequence_.shown();
-  const Pose moved =
-      part_->X_WB() * inverse(shown.product->bodies[bodiesOf(shown.plan->steps[step_], *shown.product).front()].X_WB);
+  const StepMotion& motion = motionInHand();
+  const Pose moved = part_->X_WB() * inverse(shown.product->body(motion.body).X_WB);
   std::vector<RigidBody> parts;
-  for (const std::size_t body : bodiesOf(shown.plan->steps[step_], *shown.product)) {
-    parts.push_back(shown.product->bodies[body]);
+  for (const BodyId& id : motion.bodies()) {
+    parts.push_back(shown.product->body(id));
     parts.back().X_WB = moved * parts.back().X_WB;
   }
   return parts;
@@ -114,7 +128,7 @@ std::vector<RigidBody> InstructionWalk::partsOfStep() const {
 /// bodies.
 bool InstructionWalk::reaches(const ControllerReading& now) const {
   const Vector3 reach = Vector3::Constant(GraspingHand::kReach / now.scale);
-  for (const RigidBody& part : partsOfStep()) {
+  for (const RigidBody& part : partsInHand()) {
     const Box3 box = boundingBox(*part.mesh, part.X_WB);
     if (Box3(box.min() - reach, box.max() + reach).contains(now.X_WG->position)) return true;
   }
@@ -123,7 +137,7 @@ bool InstructionWalk::reaches(const ControllerReading& now) const {
 
 std::optional<double> InstructionWalk::aimedDistance(const ControllerReading& now) const {
   if (!now.X_WA || !part_) return std::nullopt;
-  const auto hit = pickBody(partsOfStep(), {now.X_WA->position, now.X_WA->orientation * -Vector3::UnitZ()});
+  const auto hit = pickBody(partsInHand(), {now.X_WA->position, now.X_WA->orientation * -Vector3::UnitZ()});
   return hit ? std::optional(hit->distance) : std::nullopt;
 }
 

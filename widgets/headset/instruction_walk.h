@@ -30,14 +30,17 @@ class InstructionWalk final : public QObject {
  private:
   void setOn(bool on);
   void followPlan();
-  /// Goes to a step of the plan.
+  /// Goes to the first motion of a step in the order of assembly.
   void goTo(std::size_t step);
+  void goTo(std::size_t step, std::size_t motion);
+  const StepMotion& motionInHand() const;
+  void showPart();
   void tick();
   void follow(const ControllerReading& now);
   bool reaches(const ControllerReading& now) const;
   std::optional<double> aimedDistance(const ControllerReading& now) const;
-  std::vector<RigidBody> partsOfStep() const;
-  void finishStep();
+  std::vector<RigidBody> partsInHand() const;
+  void finishMotion();
   void say(const QString& hint);
   void tell(const ControllerReading& now);
   ControllerInput& hand() const { return hands_->controller(hands_->mainHand); }
@@ -47,6 +50,7 @@ class InstructionWalk final : public QObject {
   HandInputsPtr hands_;
   QTimer timer_;  ///< runs while a person walks through the instruction
   std::size_t step_ = 0;
+  std::size_t motion_ = 0;       ///< index in the step
   std::optional<LedPart> part_;  ///< nothing: the product is assembled
   std::optional<Pose> X_GB_;     ///< pose of the gripped part in the hand; nothing while none is gripped
   bool closed_ = false;          ///< the hand was closed at the last tick

@@ -16,26 +16,33 @@
 namespace glissade {
 namespace {
 
-/// The place on their way where the coming parts of a step are drawn, not far from their final place.
+/// The place on their way where the coming parts of a motion are drawn, not far from their final place.
 struct StepMotionPicture {
+  std::vector<BodyId> bodies;
   Pose moved;                ///< a body stands at moved * X_WB
   std::vector<Vector3> way;  ///< of the middle of the coming parts, world frame, from the drawn to the final place
   double along = 0.0;        ///< size of the coming parts in the direction of their motion, metres
+  double apart = 0.0;        ///< distance of the drawn from the final place along the way, metres
 };
 
 /// Least distance of the drawn from the final place, in lengths of the coming parts.
 constexpr double kClear = 1.1;
+/// Cosine of the largest angle between two motions that come the same way.
+constexpr double kSameWay = 0.9;
 
-/// `apart`: least distance of the drawn from the final place, metres, if the way is that long. Precondition: the
-/// product has the bodies of the step.
-StepMotionPicture stepMotionPicture(const AssemblyStep& step, const AssembledProduct& product, double apart) {
+/// `before`: the motions of the step that come before; what comes the same way is drawn behind them. `apart`: least
+/// distance of the drawn from the final place, metres, if the way is that long or others come before. Precondition: the
+/// product has the bodies of the motion.
+StepMotionPicture stepMotionPicture(const StepMotion& motion, const AssembledProduct& product,
+                                    const std::vector<StepMotionPicture>& before, double apart) {
   StepMotionPicture picture;
-  const Vector3 direction = exitDirection(step.path);
+  picture.bodies = motion.bodies();
+  const Vector3 direction = exitDirection(motion.path);
   Box3 box;
   double least = 0.0;
   double most = 0.0;
   bool isFirst = true;
-  for (const std::size_t index : bodiesOf(step, product)) {
+  for (const std::size_t index : product.indicesOf(picture.bodies)) {
     const RigidBody& body = product.bodies[index];
     for (const Vector3& vertex : body.mesh->vertices) {
       const Vector3 p_W = body.X_WB * vertex;
@@ -48,18 +55,31 @@ StepMotionPicture stepMotionPicture(const AssemblyStep& step, const AssembledPro
   }
   picture.along = most - least;
   const Vector3 middle = box.center();
-  const double wanted = std::max(apart, kClear * picture.along);
-  const Pose X_PW = inverse(step.path.front().q);  // the path's frame at the final place
+  picture.apart = std::max(apart, kClear * picture.along);
+  bool isBehind = false;
+  for (const StepMotionPicture& each : before) {
+    const Vector3 way = each.way.front() - each.way.back();
+    const bool isSameWay = way.dot(direction) > kSameWay * way.norm();
+    if (!isSameWay) continue;
+    isBehind = true;
+    picture.apart = std::max(picture.apart, each.apart + kClear * picture.along);
+  }
+  const double wanted = picture.apart;
+  const Pose X_PW = inverse(motion.path.front().q);  // the path's frame at the final place
   picture.way = {middle};
   double length = 0.0;
-  for (std::size_t i = 1; i < step.path.size() && length < wanted; ++i) {
-    const Pose& from = step.path[i - 1].q;
-    const Pose& to = step.path[i].q;
+  for (std::size_t i = 1; i < motion.path.size() && length < wanted; ++i) {
+    const Pose& from = motion.path[i - 1].q;
+    const Pose& to = motion.path[i].q;
     const double leg = ((to * X_PW) * middle - (from * X_PW) * middle).norm();
     const double share = leg > 0.0 ? std::min(1.0, (wanted - length) / leg) : 1.0;
     picture.moved = interpolate(from, to, share) * X_PW;
     picture.way.push_back(picture.moved * middle);
     length += leg;
+  }
+  if (isBehind && length < wanted) {  // what comes before it is drawn where its own way ends
+    picture.moved.position += (wanted - length) * direction;
+    picture.way.push_back(picture.moved * middle);
   }
   std::reverse(picture.way.begin(), picture.way.end());
   return picture;
@@ -208,31 +228,38 @@ class PanelPicture {
           {there.mesh, there.X_WB, isStart ? kComingFill : kPaleFill, isStart ? kComingLine : kPaleLine, isStart});
       box_W.extend(boundingBox(*there.mesh, there.X_WB));
     }
-    std::vector<Box3> coming;
-    for (const AssemblyStep& step : panel_.steps) {
-      Box3 box;
-      for (const BodyId& id : step.bodies()) box.extend(boundingBox(*body(id).mesh, body(id).X_WB));
-      coming.push_back(box);
-      box_W.extend(box);
-    }
+    for (const AssemblyStep& step : panel_.steps) box_W.extend(boxOf(step.bodies()));
     const double whole = box_W.diagonal().norm();
     const Projection view = projection();
     for (std::size_t i = 0; i < panel_.steps.size(); ++i) {
-      const double part = coming[i].diagonal().norm();
-      const double apart = isNear ? kApartOfPartNear * part : kApartOfWhole * whole + kApartOfPart * part;
-      const StepMotionPicture motion = stepMotionPicture(panel_.steps[i], product_, apart);
-      for (const BodyId& id : panel_.steps[i].bodies()) {
-        const RigidBody& comes = body(id);
-        scene.bodies.push_back({comes.mesh, motion.moved * comes.X_WB, kComingFill, kComingLine, true});
-        scene.box_V.extend(view.boxOf(*comes.mesh, comes.X_WB));
-        if (i > 0) continue;
-        scene.first_V.extend(view.boxOf(*comes.mesh, comes.X_WB));
-        scene.first_V.extend(view.boxOf(*comes.mesh, motion.moved * comes.X_WB));
+      std::vector<StepMotionPicture> motions;
+      for (const StepMotion* coming : motionsOf(panel_.steps[i], PlanOrder::Assembly)) {
+        const double part = boxOf(coming->bodies()).diagonal().norm();
+        const double apart = isNear ? kApartOfPartNear * part : kApartOfWhole * whole + kApartOfPart * part;
+        motions.push_back(stepMotionPicture(*coming, product_, motions, apart));
       }
-      scene.motions.push_back(motion);
+      for (const StepMotionPicture& motion : motions) addComing(motion, i == 0, view, scene);
     }
     for (const DrawnBody& each : scene.bodies) scene.box_V.extend(view.boxOf(*each.mesh, each.X_WB));
     return scene;
+  }
+
+  Box3 boxOf(const std::vector<BodyId>& ids) const {
+    Box3 box;
+    for (const BodyId& id : ids) box.extend(boundingBox(*body(id).mesh, body(id).X_WB));
+    return box;
+  }
+
+  void addComing(const StepMotionPicture& motion, bool isOfFirstStep, const Projection& view, Scene& scene) const {
+    for (const BodyId& id : motion.bodies) {
+      const RigidBody& comes = body(id);
+      scene.bodies.push_back({comes.mesh, motion.moved * comes.X_WB, kComingFill, kComingLine, true});
+      scene.box_V.extend(view.boxOf(*comes.mesh, comes.X_WB));
+      if (!isOfFirstStep) continue;
+      scene.first_V.extend(view.boxOf(*comes.mesh, comes.X_WB));
+      scene.first_V.extend(view.boxOf(*comes.mesh, motion.moved * comes.X_WB));
+    }
+    scene.motions.push_back(motion);
   }
 
   QImage drawing(const Scene& scene, const Projection& view, const QSize& pixels) const {

@@ -158,7 +158,8 @@ void AccessController::showNextUnreached() {
     step = (step + (forwards ? 1 : count - 1)) % count;
     if (steps[step].isReachedAndSeen()) continue;
     panel.chooseStep(step);
-    panel.showTime(static_cast<double>(step) + std::min(0.99, steps[step].hand.share));
+    panel.showTime(
+        PlayedMotion{step, steps[step].motion, std::min(0.99, steps[step].hand.share)}.time(*sequence_.shown().plan));
     bench_.messages.showStatus(accessText(steps[step], sequence_.shown().product->bodies));
     return;
   }
@@ -168,12 +169,14 @@ void AccessController::showNextUnreached() {
 ReachPicture AccessController::pictureOfStep() const {
   const ShownPlan& shown = sequence_.shown();
   const double time = sequence_.panel()->time();
-  const auto step = static_cast<std::size_t>(time);
-  if (step >= shown.access->steps.size() || sequence_.panel()->exploded() > 0.0) return {};
-  const AssemblyStep& moving = shown.plan->steps[step];
+  const bool isAtStep = time < static_cast<double>(shown.access->steps.size());
+  if (!isAtStep || sequence_.panel()->exploded() > 0.0) return {};
+  const PlayedMotion at = playedMotionAt(time, *shown.plan);
+  const StepAccess& access = shown.access->steps[at.step];
+  if (access.motion != at.motion) return {};
+  const StepMotion& moving = shown.plan->steps[at.step].motions[at.motion];
   const StepWay way(moving, shown.product->body(moving.body));
-  const Pose moved = way.movedAt((time - static_cast<double>(step)) * way.length());
-  return pictureOf(shown.access->steps[step], moved, shown.access->forearm);
+  return pictureOf(access, way.movedAt(at.share * way.length()), shown.access->forearm);
 }
 
 ReachPicture AccessController::pictureOnPath() const {

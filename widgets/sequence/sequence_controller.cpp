@@ -29,10 +29,10 @@ namespace {
 
 constexpr const char* kStays = "stays";
 
-std::vector<Vector3> wayOf(const AssemblyStep& step, const RigidBody& body) {
-  const Pose X_PB = inverse(step.path.front().q) * body.X_WB;
+std::vector<Vector3> wayOf(const StepMotion& motion, const RigidBody& body) {
+  const Pose X_PB = inverse(motion.path.front().q) * body.X_WB;
   std::vector<Vector3> way;
-  for (const PathPoint& point : step.path) way.push_back((point.q * X_PB).position);
+  for (const PathPoint& point : motion.path) way.push_back((point.q * X_PB).position);
   return way;
 }
 
@@ -163,7 +163,6 @@ void SequenceController::startPlanning(bool resume, std::optional<std::size_t> m
     const auto empty = std::make_shared<const AssemblyPlan>(emptyPlan(*job.product, job.staying));
     setPlan({job.product, empty, true, {}, {}, {}, before});
   }
-  knownSteps_ = goesOn ? job.resumed->steps.size() : 0;
   planner_.plan(job, bench_.work.isAtOnce());
   enableActions();
 }
@@ -175,10 +174,8 @@ void SequenceController::takeGrown(const GrownPlan& grown, bool growing) {
   next.growing = growing;
   if (!growing) next.before = nullptr;
   next.access = nullptr;
-  next.foundAfter.resize(knownSteps_);
-  for (const double seconds : grown.foundAfter) next.foundAfter.emplace_back(seconds);
-  next.check.steps.resize(std::min(next.check.steps.size(), knownSteps_));
-  next.check.conditions.clear();
+  for (const auto& [body, seconds] : grown.foundAfter) next.foundAfter[body] = seconds;
+  next.check = {};
   const bool unfinished = growing || next.plan->end == PlanEnd::Interrupted;
   if (unfinished && next.plan->steps.empty()) {
     setPlan(next);
@@ -401,11 +398,11 @@ SequencePicture SequenceController::pictureAt(double time, double exploded) {
       const Pose X_WB = moved * rigidBodyAt(i, scenario).X_WB;
       picture.bodies.push_back({X_WB, aside || !played[i].left, played[i].moves});
     }
-    const auto step = static_cast<std::size_t>(time);
     const bool onItsWay = std::any_of(played.begin(), played.end(), [](const PlayedBody& body) { return body.moves; });
     if (onItsWay && exploded == 0.0) {
-      const AssemblyStep& moving = plan.plan->steps[step];
-      picture.way = wayOf(moving, plan.product->bodies[bodiesOf(moving, *plan.product).front()]);
+      const PlayedMotion at = playedMotionAt(time, *plan.plan);
+      const StepMotion& moving = plan.plan->steps[at.step].motions[at.motion];
+      picture.way = wayOf(moving, plan.product->body(moving.body));
     }
   }
   return picture;

@@ -107,7 +107,6 @@ class SequenceController final : public QObject {
   SequencePanel* panel_;
   SequencePlanner planner_;
   WorkTimesStore workTimes_;
-  std::size_t knownSteps_ = 0;  ///< steps of the plan that was resumed
   PlanPlayback playback_;
   bool isExploded_ = false;               ///< the exploded view is shown
   std::optional<ExplodedView> exploded_;  ///< of the shown plan, after it was exploded first

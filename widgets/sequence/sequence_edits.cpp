@@ -151,7 +151,7 @@ void SequenceEdits::move(std::size_t from, std::size_t to) {
   const QString name = joinedNames(shown.plan->steps[from].bodies(), *shown.product);
   const bool assembly = sequence_.panel()->order() == PlanOrder::Assembly;
   const std::size_t row = assembly ? shown.plan->steps.size() - to : to + 1;
-  sequence_.chooseLater(shown.plan->steps[from].body);
+  sequence_.chooseLater(shown.plan->steps[from].motions.front().body);
   set(tr("%1 as step %2").arg(name).arg(row), withStepMoved(from, to, *shown.plan, bench_.document.demands()));
 }
 
@@ -185,8 +185,9 @@ void SequenceEdits::forbidWay() {
   const ShownPlan& shown = sequence_.shown();
   SequenceDemands demands = bench_.document.demands();
   for (const std::size_t step : sequence_.panel()->selectedSteps()) {
-    const AssemblyStep& own = shown.plan->steps[step];
-    demands = withForbidden(own.bodies(), firstDirection(own.path), std::move(demands));
+    for (const StepMotion& motion : shown.plan->steps[step].motions) {
+      demands = withForbidden(motion.bodies(), firstDirection(motion.path), std::move(demands));
+    }
   }
   set(tr("Rule out the direction of %1").arg(joinedNames(chosenBodies(), *shown.product)), demands);
 }

@@ -36,13 +36,14 @@ void SequenceHand::begin() {
   const ShownPlan shown = sequence_.shown();
   Run run{shown, {panel.chosenStuck()}, panel.chosenStep()};
   const auto& steps = shown.plan->steps;
-  if (run.step) run.bodies = steps[*run.step].bodies();
+  const StepMotion* motion = run.step ? &steps[*run.step].motions.front() : nullptr;
+  if (motion != nullptr) run.bodies = motion->bodies();
   std::vector<BodyId> gone;
   for (std::size_t i = 0; i < run.step.value_or(steps.size()); ++i) {
     for (const BodyId& id : steps[i].bodies()) gone.push_back(id);
   }
   run_ = run;
-  const auto joints = run.step ? steps[*run.step].joints : std::vector<StepJoint>();
+  const auto joints = motion != nullptr ? motion->joints : std::vector<StepJoint>();
   const auto change = [this, bodies = run.bodies, gone, joints](Scenario& scenario) {
     return prepareHandRun(bodies, gone, *bench_.document.scenario(), joints, scenario);
   };

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/sequence/plan_playback.h"
 #include "engine/sequence/step_cost.h"
 #include "engine/sequence/subassembly_lines.h"
 #include "widgets/controls/body_id_text.h"
@@ -24,7 +25,7 @@ constexpr int kExplodePlaces = 200;
 constexpr double kExplodeSeconds = 4.0;
 constexpr double kSecondsPerStep = 1.5;
 constexpr double kLongestPlay = 90.0;
-/// A selected step is shown with its part at this share of its motion.
+/// A selected step is shown with the part of its first motion at this share of the motion.
 constexpr double kOnTheWay = 0.5;
 
 void onlyIcons(const QLayout& row) {
@@ -294,7 +295,7 @@ void SequencePanel::markRow() {
 void SequencePanel::showRow(const QTreeWidgetItem* row) {
   if (row == nullptr) return;
   if (const auto step = chosenStep()) {
-    showTime(static_cast<double>(*step) + kOnTheWay);
+    showTime(PlayedMotion{*step, 0, kOnTheWay}.time(*shown_.plan));
     emit stepChosen(static_cast<int>(*step));
   } else {
     emit stuckChosen(toQString(chosenStuck()));
@@ -315,7 +316,7 @@ bool SequencePanel::chooseStep(std::size_t step) {
 
 BodyId SequencePanel::chosenBody() const {
   const auto step = chosenStep();
-  return step ? shown_.plan->steps[*step].body : chosenStuck();
+  return step ? shown_.plan->steps[*step].motions.front().body : chosenStuck();
 }
 
 void SequencePanel::chooseBody(const BodyId& id) {

@@ -50,7 +50,9 @@ class SequencePanel final : public QWidget {
   /// The place of the scene in the sequence: "Step 3 of 17: cover". Empty if there are no steps.
   QString placeText() const;
   /// The names of the bodies that move in a step of the plan.
-  QString partsText(std::size_t step) const { return table_->shortNames(shown_.plan->steps[step].bodies()); }
+  QString partsText(std::size_t step) const {
+    return QString::fromStdString(nameOfStep(shown_.plan->steps[step], *shown_.product));
+  }
   /// The step, or the stuck part (its id), of the current row.
   std::optional<std::size_t> chosenStep() const { return StepTable::stepOf(table_->currentItem()); }
   BodyId chosenStuck() const { return StepTable::stuckOf(table_->currentItem()); }

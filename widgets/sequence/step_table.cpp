@@ -102,13 +102,22 @@ class WrappedDelegate final : public QStyledItemDelegate {
 /// A person's changes of the step: "locked", "by hand".
 QString markOf(const StepDemands& demands, const AssemblyStep& step) {
   QStringList marks;
-  if (step.method == kByHand) marks << StepTable::tr("by hand");
+  const bool isByHand = std::any_of(step.motions.begin(), step.motions.end(),
+                                    [](const StepMotion& motion) { return motion.method == kByHand; });
+  if (isByHand) marks << StepTable::tr("by hand");
   if (demands.isLocked()) {
     marks << StepTable::tr("locked");
   } else if (demands.place != nullptr) {
     marks << StepTable::tr("placed");
   }
   return marks.join(QStringLiteral(", "));
+}
+
+QString methodsOf(const AssemblyStep& step) {
+  QStringList methods;
+  for (const StepMotion& motion : step.motions) methods << engineText(methodInWords(motion.method));
+  methods.removeDuplicates();
+  return methods.join(QStringLiteral(", "));
 }
 
 }  // namespace
@@ -224,34 +233,23 @@ void StepTable::addStep(std::size_t place) {
     row->setText(StepNumber, QString::fromStdString(stepNumber(steps.size() - 1 - i)));
   }
   row->setTextAlignment(StepNumber, Qt::AlignRight | Qt::AlignVCenter);
-  setIcon(*row, step.body);
+  setIcon(*row, motionsOf(step, PlanOrder::Assembly).front()->body);
   const QString motion = QString::fromStdString(words.motion(step, order_));
   const QString work = QString::fromStdString(words.work(step, *shown_.product, order_));
   row->setText(StepPart, twoLines(QString::fromStdString(nameOfStep(step, *shown_.product)), work));
   const QString told = work == motion ? motion : twoLines(work, motion);
   row->setToolTip(StepPart, twoLines(allNames(step.bodies()), told));
-  const std::vector<Allowance> allowances = allowancesInOrder(steps, i);
-  const bool isNear = !step.proof.nearest.empty();
-  row->setText(StepGaps, twoLines(isNear ? columnLengthText(step.proof.minClearance) : QStringLiteral("–"),
-                                  largestAllowanceText(allowances)));
-  row->setTextAlignment(StepGaps, Qt::AlignRight | Qt::AlignVCenter);
-  QStringList gaps;
-  if (isNear) {
-    gaps << tr("certified %1; smallest %2 to %3")
-                .arg(lengthText(step.proof.provedClearance), lengthText(step.proof.minClearance),
-                     nameOf(step.proof.nearest));
-  }
-  gaps << joinedTexts(words.allowances(allowances, *shown_.product), QStringLiteral("\n"));
-  row->setToolTip(StepGaps, gaps.join(QLatin1Char('\n')));
+  showGaps(*row, i);
+  const StepMotion& opening = step.opening();
   const QString forced = joinedTexts(words.violations(step, *shown_.product), QStringLiteral("; "));
   const QString standing = QString::fromStdString(words.standing(step, *shown_.product));
-  row->setText(StepTools, twoLines(QString::fromStdString(words.tool(step, *shown_.product)),
+  row->setText(StepTools, twoLines(QString::fromStdString(words.tool(opening, *shown_.product)),
                                    forced.isEmpty() ? standing : tr("forced: %1").arg(forced)));
   if (!forced.isEmpty()) row->setForeground(StepTools, palette().brush(QPalette::BrightText));
-  row->setToolTip(StepTools, (QStringList{row->text(StepTools), allNames(step.tool.blockedBy), allNames(step.falling)})
-                                 .join(QLatin1Char('\n'))
-                                 .trimmed());
-  const auto after = i < shown_.foundAfter.size() ? shown_.foundAfter[i] : std::nullopt;
+  row->setToolTip(StepTools,
+                  (QStringList{row->text(StepTools), allNames(opening.tool.blockedBy), allNames(step.falling())})
+                      .join(QLatin1Char('\n'))
+                      .trimmed());
   const auto& checks = shown_.check.steps;
   const StepCheck check = i < checks.size() ? checks[i] : StepCheck::NotAsked;
   const MotionAccess* access = shown_.access ? &shown_.access->steps[i] : nullptr;
@@ -261,10 +259,42 @@ void StepTable::addStep(std::size_t place) {
                     markOf(demandsOn(step.bodies(), shown_.plan->demands), step)};
   marks.removeAll(QString());
   row->setText(StepState, twoLines(checkText(check), marks.join(QStringLiteral(", "))));
-  QStringList tips{checkTip(check), tr("found by %1").arg(engineText(methodInWords(step.method)))};
+  QStringList tips{checkTip(check), tr("found by %1").arg(methodsOf(step))};
   if (access != nullptr) tips << accessText(*access, shown_.product->bodies) << inside;
-  if (after) tips << tr("found after %1 s of computing").arg(QLocale().toString(*after, 'f', 1));
+  const double after = foundAfter(step);
+  if (after > 0.0) tips << tr("found after %1 s of computing").arg(QLocale().toString(after, 'f', 1));
   row->setToolTip(StepState, tips.join(QLatin1Char('\n')));
+}
+
+/// Shows the smallest clearance and the largest allowance of the step's motions.
+void StepTable::showGaps(QTreeWidgetItem& row, std::size_t step) const {
+  std::vector<Allowance> allowances;
+  const StepProof* least = nullptr;
+  QStringList tips;
+  for (const StepMotion* motion : motionsOf(shown_.plan->steps[step], order_)) {
+    const std::vector<Allowance> own = allowancesInOrder(shown_.plan->steps, step, *motion);
+    allowances.insert(allowances.end(), own.begin(), own.end());
+    const StepProof& proof = motion->proof;
+    if (proof.nearest.empty()) continue;
+    tips << tr("certified %1; smallest %2 to %3")
+                .arg(lengthText(proof.provedClearance), lengthText(proof.minClearance), nameOf(proof.nearest));
+    if (least == nullptr || proof.minClearance < least->minClearance) least = &proof;
+  }
+  row.setText(StepGaps, twoLines(least != nullptr ? columnLengthText(least->minClearance) : QStringLiteral("–"),
+                                 largestAllowanceText(allowances)));
+  row.setTextAlignment(StepGaps, Qt::AlignRight | Qt::AlignVCenter);
+  tips << joinedTexts(windowPlanWords().allowances(allowances, *shown_.product), QStringLiteral("\n"));
+  row.setToolTip(StepGaps, tips.join(QLatin1Char('\n')));
+}
+
+/// Seconds of computing until all motions of the step were found; 0: they were not found here.
+double StepTable::foundAfter(const AssemblyStep& step) const {
+  double after = 0.0;
+  for (const StepMotion& motion : step.motions) {
+    const auto found = shown_.foundAfter.find(motion.body);
+    if (found != shown_.foundAfter.end()) after = std::max(after, found->second);
+  }
+  return after;
 }
 
 /// A line for each step inside the groups of a step that the hand does not reach, or that cannot be seen.

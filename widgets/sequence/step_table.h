@@ -3,6 +3,7 @@
 #include <QTreeWidget>
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -20,10 +21,10 @@ struct ShownPlan {
   ProductPtr product;  ///< null: there is no product
   PlanPtr plan;        ///< null: not planned yet
   bool growing = false;
-  std::vector<std::optional<double>> foundAfter;  ///< seconds, for each step; nothing: not found here
-  PlanCheck check{};                              ///< result of the independent check
-  PlanAccessPtr access{};                         ///< access of a hand to each step; null: not analysed
-  PlanPtr before{};  ///< the plan of before, which is shown grey while `plan` grows; null: none
+  std::map<BodyId, double> foundAfter;  ///< see GrownPlan; without motions that were not found here
+  PlanCheck check{};                    ///< result of the independent check
+  PlanAccessPtr access{};               ///< access of a hand to each step; null: not analysed
+  PlanPtr before{};                     ///< the plan of before, which is shown grey while `plan` grows; null: none
 };
 
 /// Steps of an assembly plan, two lines for each row, and stuck parts with the whole reason. Steps can be dragged to
@@ -64,6 +65,8 @@ class StepTable final : public QTreeWidget {
 
  private:
   void addStep(std::size_t place);
+  void showGaps(QTreeWidgetItem& row, std::size_t step) const;
+  double foundAfter(const AssemblyStep& step) const;
   void addStuck(const StuckBody& stuck);
   void addOfBefore(std::size_t step);
   void fitColumns();

@@ -88,16 +88,22 @@ class Page {
   nlohmann::json lineData(const InstructionPanel& panel) const {
     nlohmann::json line{{"present", numbersOf(panel.present)}, {"moves", nlohmann::json::array()}};
     for (const AssemblyStep& step : panel.steps) {
-      nlohmann::json poses = nlohmann::json::array();
-      const Pose X_AW = inverse(step.path.front().q);
-      for (auto point = step.path.rbegin(); point != step.path.rend(); ++point) {
-        const Pose X = point->q * X_AW;
-        poses.push_back({X.position.x(), X.position.y(), X.position.z(), X.orientation.x(), X.orientation.y(),
-                         X.orientation.z(), X.orientation.w()});
+      for (const StepMotion* motion : motionsOf(step, PlanOrder::Assembly)) {
+        line["moves"].push_back({{"bodies", numbersOf(motion->bodies())}, {"poses", posesOf(*motion)}});
       }
-      line["moves"].push_back({{"bodies", numbersOf(step.bodies())}, {"poses", std::move(poses)}});
     }
     return line;
+  }
+
+  static nlohmann::json posesOf(const StepMotion& motion) {
+    nlohmann::json poses = nlohmann::json::array();
+    const Pose X_AW = inverse(motion.path.front().q);
+    for (auto point = motion.path.rbegin(); point != motion.path.rend(); ++point) {
+      const Pose X = point->q * X_AW;
+      poses.push_back({X.position.x(), X.position.y(), X.position.z(), X.orientation.x(), X.orientation.y(),
+                       X.orientation.z(), X.orientation.w()});
+    }
+    return poses;
   }
 
   std::string partImage(const std::vector<BodyId>& bodies, const std::string& text) const {

@@ -11,7 +11,7 @@ namespace {
 /// Radians. A motion with a larger rotation is described as turning.
 constexpr double kTurns = 0.1;
 
-/// The sentence for a joint that the step makes. Nothing where the step is described like that of a part without
+/// The sentence for a joint that the motion makes. Nothing where the motion is described like that of a part without
 /// joints.
 std::optional<CatalogueText> sentenceOf(const StepJoint& joint, bool isOwn) {
   switch (joint.kind) {
@@ -28,31 +28,31 @@ std::optional<CatalogueText> sentenceOf(const StepJoint& joint, bool isOwn) {
   return std::nullopt;
 }
 
-bool isInAHole(const AssemblyStep& step) {
-  return std::any_of(step.allowances.begin(), step.allowances.end(), [](const Allowance& allowance) {
+bool isInAHole(const StepMotion& motion) {
+  return std::any_of(motion.allowances.begin(), motion.allowances.end(), [](const Allowance& allowance) {
     return allowance.kind == ContactKind::Cylindrical || allowance.kind == ContactKind::Press;
   });
 }
 
-bool turnsOnItsWay(const AssemblyStep& step) {
-  const auto legs = legsOf(step.path);
+bool turnsOnItsWay(const StepMotion& motion) {
+  const auto legs = legsOf(motion.path);
   return std::any_of(legs.begin(), legs.end(), [](const MotionLeg& leg) { return leg.turn > kTurns; });
 }
 
 }  // namespace
 
-std::string workSentence(const AssemblyStep& step, const std::string& what, const DocumentWords& words) {
-  const std::vector<BodyId> bodies = step.bodies();
-  for (const StepJoint& joint : step.joints) {
+std::string workSentence(const StepMotion& motion, const std::string& what, const DocumentWords& words) {
+  const std::vector<BodyId> bodies = motion.bodies();
+  for (const StepJoint& joint : motion.joints) {
     const bool isOwn = std::find(bodies.begin(), bodies.end(), joint.body) != bodies.end();
     if (const auto sentence = sentenceOf(joint, isOwn)) return words(*sentence, {what});
   }
-  if (step.fastener == FastenerKind::Nut) return words(GLISSADE_TEXT("Screw on %1."), {what});
-  if (step.fastener == FastenerKind::Screw && step.tool.kind != ToolKind::None)
+  if (motion.fastener == FastenerKind::Nut) return words(GLISSADE_TEXT("Screw on %1."), {what});
+  if (motion.fastener == FastenerKind::Screw && motion.tool.kind != ToolKind::None)
     return words(GLISSADE_TEXT("Screw in %1."), {what});
-  if (step.method == kFlexible) return words(GLISSADE_TEXT("Lay on %1."), {what});
-  if (turnsOnItsWay(step)) return words(GLISSADE_TEXT("Turn in %1."), {what});
-  return words(isInAHole(step) ? GLISSADE_TEXT("Insert %1.") : GLISSADE_TEXT("Place %1."), {what});
+  if (motion.method == kFlexible) return words(GLISSADE_TEXT("Lay on %1."), {what});
+  if (turnsOnItsWay(motion)) return words(GLISSADE_TEXT("Turn in %1."), {what});
+  return words(isInAHole(motion) ? GLISSADE_TEXT("Insert %1.") : GLISSADE_TEXT("Place %1."), {what});
 }
 
 std::string turnSentence(const Viewpoint& from, const Viewpoint& to, const DocumentWords& words) {

@@ -8,7 +8,7 @@
 namespace glissade {
 
 /// The work of a fitter as a sentence with one verb: "Screw in 4 × ISO 4762 M3x8." `what`: the parts that come.
-std::string workSentence(const AssemblyStep& step, const std::string& what, const DocumentWords& words);
+std::string workSentence(const StepMotion& motion, const std::string& what, const DocumentWords& words);
 
 /// The instruction between two viewpoints: "Turn the product over."; empty: none.
 std::string turnSentence(const Viewpoint& from, const Viewpoint& to, const DocumentWords& words);

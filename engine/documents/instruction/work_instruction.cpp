@@ -90,10 +90,10 @@ class Instructor {
 
   void addClashes(const std::vector<AssemblyStep>& steps, const std::vector<SubassemblyLine>& lines,
                   ClashesOfKinds& clashes) {
-    for (const AssemblyStep& step : steps) {
-      for (const Allowance& allowance : step.allowances) {
+    for (const StepMotion* motion : motionsOf(steps)) {
+      for (const Allowance& allowance : motion->allowances) {
         if (!isByAcceptedClash(allowance)) continue;
-        const BodyId& moving = allowance.moving.empty() ? step.body : allowance.moving;
+        const BodyId& moving = allowance.moving.empty() ? motion->body : allowance.moving;
         const std::string one = partName(rowOf(moving));
         const std::string other = partName(rowOf(allowance.body));
         ClashOfKinds& clash = clashes[std::minmax(one, other)];
@@ -200,40 +200,59 @@ class Instructor {
     }
     std::set<std::string> said;
     for (const AssemblyStep& step : panel.steps) {
-      const std::string tool = capitalized(words_.toolName(step));
+      const StepMotion& opening = step.opening();
+      const std::string tool = capitalized(words_.toolName(opening));
       if (!tool.empty() && panel.tool.empty()) panel.tool = tool;
       if (!tool.empty() && std::find(made_.tools.begin(), made_.tools.end(), tool) == made_.tools.end()) {
         made_.tools.push_back(tool);
       }
-      if (!step.tool.turned.empty()) {
+      if (!opening.tool.turned.empty()) {
         const std::string note =
-            say(GLISSADE_TEXT("Hold %1, turn %2."), {supported({step.body}), supported({step.tool.turned})});
+            say(GLISSADE_TEXT("Hold %1, turn %2."), {supported({opening.body}), supported({opening.tool.turned})});
         if (said.insert(note).second) panel.notes.push_back(note);
       }
-      if (step.falling.empty()) continue;
-      const std::string note = say(GLISSADE_TEXT("Needs support: %1"), {supported(step.falling)});
+      if (!opening.tool.held.empty()) {
+        const std::string held = supported({opening.tool.held});
+        const std::string with = words_.heldWith(opening);
+        const std::string note =
+            with.empty() ? say(GLISSADE_TEXT("Hold %1."), {held}) : say(GLISSADE_TEXT("Hold %1 (%2)."), {held, with});
+        if (said.insert(note).second) panel.notes.push_back(note);
+      }
+      const Ids falling = step.falling();
+      if (falling.empty()) continue;
+      const std::string note = say(GLISSADE_TEXT("Needs support: %1"), {supported(falling)});
       if (said.insert(note).second) panel.notes.push_back(note);
     }
   }
 
+  /// The motions of the steps in the order of assembly.
+  static std::vector<const StepMotion*> motionsOf(const std::vector<AssemblyStep>& steps) {
+    std::vector<const StepMotion*> all;
+    for (const AssemblyStep& step : steps) {
+      for (const StepMotion* motion : glissade::motionsOf(step, PlanOrder::Assembly)) all.push_back(motion);
+    }
+    return all;
+  }
+
   /// A sentence for each kind of work, with the parts that it brings: "Insert 3 × bolt. Screw on 3 × nut."
   std::string workOf(const InstructionPanel& panel) const {
-    std::vector<std::pair<const AssemblyStep*, std::string>> sentences;  // a step of the work, and its parts
-    const auto sentenceOf = [&](const AssemblyStep& step, const std::string& what) {
-      return workSentence(step, what, words_.words());
+    std::vector<std::pair<const StepMotion*, std::string>> sentences;  // a motion of the work, and its parts
+    const auto sentenceOf = [&](const StepMotion& motion, const std::string& what) {
+      return workSentence(motion, what, words_.words());
     };
-    for (const AssemblyStep& step : panel.steps) {
-      const Ids bodies = step.bodies();
+    for (const StepMotion* motion : motionsOf(panel.steps)) {
+      const Ids bodies = motion->bodies();
       for (const FetchedPart& part : panel.fetched) {
         if (std::find(bodies.begin(), bodies.end(), part.bodies.front()) == bodies.end()) continue;
-        const bool isSameWork = !sentences.empty() && sentenceOf(*sentences.back().first, {}) == sentenceOf(step, {});
-        if (!isSameWork) sentences.emplace_back(&step, "");
+        const bool isSameWork =
+            !sentences.empty() && sentenceOf(*sentences.back().first, {}) == sentenceOf(*motion, {});
+        if (!isSameWork) sentences.emplace_back(motion, "");
         std::string& what = sentences.back().second;
         what += (what.empty() ? "" : ", ") + countedName(part.name, part.count);
       }
     }
     std::string work;
-    for (const auto& [step, what] : sentences) work += (work.empty() ? "" : " ") + sentenceOf(*step, what);
+    for (const auto& [motion, what] : sentences) work += (work.empty() ? "" : " ") + sentenceOf(*motion, what);
     return work;
   }
 
@@ -244,18 +263,24 @@ class Instructor {
     for (std::size_t at = 0; at < placed; ++at) {
       const AssemblyStep& step = stepAtPlace(steps, at);
       const std::size_t lastOpen = steps.size() - placed;  // steps of the plan up to this number are still to come
-      const bool held = !step.joints.empty() || std::any_of(step.after.begin(), step.after.end(),
-                                                            [&](std::size_t other) { return other > lastOpen; });
-      const double upwards = exitDirection(step.path).dot(panel.view.up());
-      if (!held && upwards < -kFallsOut * panel.view.up().norm()) append(step.bodies(), loose);
+      const bool isJoined =
+          std::any_of(step.motions.begin(), step.motions.end(), [](const auto& each) { return !each.joints.empty(); });
+      const bool held = isJoined || std::any_of(step.after.begin(), step.after.end(),
+                                                [&](std::size_t other) { return other > lastOpen; });
+      for (const StepMotion& motion : step.motions) {
+        const double upwards = exitDirection(motion.path).dot(panel.view.up());
+        if (!held && upwards < -kFallsOut * panel.view.up().norm()) append(motion.bodies(), loose);
+      }
     }
     if (!loose.empty())
       panel.notes.push_back(say(GLISSADE_TEXT("Hold while you turn it over: %1"), {supported(loose)}));
   }
 
   static bool isScrewed(const AssemblyStep& step) {
-    return std::any_of(step.joints.begin(), step.joints.end(),
-                       [](const StepJoint& joint) { return glissade::isScrewed(joint.kind); });
+    return std::any_of(step.motions.begin(), step.motions.end(), [](const StepMotion& motion) {
+      return std::any_of(motion.joints.begin(), motion.joints.end(),
+                         [](const StepJoint& joint) { return glissade::isScrewed(joint.kind); });
+    });
   }
 
   std::string supported(const Ids& ids) {

@@ -8,11 +8,11 @@ namespace glissade {
 namespace {
 
 AssemblyStep stepOf(const BodyId& body, const Pose& X_WB, const Vector3& way) {
-  AssemblyStep step;
-  step.body = body;
+  AssemblyStep step{{StepMotion()}};
+  step.only().body = body;
   Pose end = X_WB;
   end.position += way;
-  step.path = {{X_WB}, {end}};
+  step.only().path = {{X_WB}, {end}};
   return step;
 }
 
@@ -54,7 +54,7 @@ TEST(PlanAccess, AsksAboutGroupsThatAreTakenApart) {
   const AssembledProduct product = pinInTube();
   const auto withTube = [&product](const std::vector<BodyId>& order) {
     AssemblyPlan plan = planOf(product, {"pin"});
-    plan.steps[0].with = {"x0", "x1", "y0", "y1"};
+    plan.steps[0].only().with = {"x0", "x1", "y0", "y1"};
     plan.lines = {{1, plan.steps[0].bodies(), {}, planOf(product, order).steps}};
     return plan;
   };
@@ -66,7 +66,8 @@ TEST(PlanAccess, AsksAboutGroupsThatAreTakenApart) {
   EXPECT_EQ(pinFirst->reached() + 1, planAccess(product, withTube({"x0", "x1", "y0", "pin"}), {}, {})->reached());
   AssemblyPlan onFloor = withTube({"x0", "x1", "y0", "pin"});
   const Vector3 down(0.0, 0.0, -0.5);
-  onFloor.lines[0].steps[3].path.back().q.position = onFloor.lines[0].steps[3].path.front().q.position + down;
+  onFloor.lines[0].steps[3].only().path.back().q.position =
+      onFloor.lines[0].steps[3].only().path.front().q.position + down;
   const auto downwards = planAccess(product, onFloor, {}, {});
   ASSERT_TRUE(downwards.ok());
   EXPECT_NE(downwards->lines[0].steps[3].hand.blockedBy, product.indexOf("floor"));
@@ -75,7 +76,7 @@ TEST(PlanAccess, AsksAboutGroupsThatAreTakenApart) {
 TEST(PlanAccess, AToolThatThePlanFoundBlockedIsBlocked) {
   const AssembledProduct product = pinInTube();
   AssemblyPlan plan = planOf(product, {"x0"});
-  plan.steps[0].tool = {ToolKind::Socket, ToolAccess::Blocked, {"x1"}};
+  plan.steps[0].only().tool = {ToolKind::Socket, ToolAccess::Blocked, {"x1"}};
   const auto access = planAccess(product, plan, {}, {});
   ASSERT_TRUE(access.ok());
   EXPECT_EQ(access->steps[0].hand.access, HandAccess::Blocked);

@@ -3,13 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "engine/check/read_path.h"
 #include "engine/check/verdict_report.h"
 #include "engine/files/judged_product.h"
+#include "engine/files/plan_file.h"
 #include "engine/planning/screw_motion.h"
 #include "tests/engine/fits/screwed_parts.h"
 #include "tests/engine/sequence/products.h"
+#include "tests/engine/support/temporary_folder.h"
 
 namespace glissade {
 namespace {
@@ -50,12 +55,80 @@ TEST(PlanVerdict, RefusesAPrecedenceThatLeavesSomethingOut) {
   EXPECT_FALSE(verdict.steps[1].valid()) << "the pin under its cap";
 }
 
+/// Cap, pin and drawer in one step: each motion comes after the earlier ones of its step.
+TEST(PlanVerdict, JudgesEachMotionOfAStepAndNamesIt) {
+  const AssembledProduct product = test::lockedDrawer();
+  AssemblyPlan plan = test::planOf(product, "cabinet");
+  ASSERT_EQ(plan.steps.size(), 3U);
+  AssemblyStep one{{}, 1};
+  for (AssemblyStep& step : plan.steps) {
+    one.motions.push_back(step.only());
+    one.motions.back().proof.afterSteps = 0;
+  }
+  plan.steps = {one};
+  const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt);
+  EXPECT_TRUE(verdict.valid()) << whyNot(verdict, product);
+  EXPECT_EQ(verdict.validSteps(), 1U);
+  EXPECT_EQ(verdict.steps.size(), 3U);
+  EXPECT_EQ(verdict.alone, 3U);
+  EXPECT_NE(whyNot(verdict, product).find("1 of 1 step is certified"), std::string::npos) << whyNot(verdict, product);
+
+  std::swap(plan.steps[0].motions[1], plan.steps[0].motions[2]);
+  const check::PlanVerdict swapped = judgePlan(plan, product, std::nullopt);
+  EXPECT_FALSE(swapped.isValid(1));
+  EXPECT_EQ(swapped.validSteps(), 0U);
+  EXPECT_TRUE(swapped.steps[0].valid());
+  const std::string why = whyNot(swapped, product);
+  EXPECT_NE(why.find("step 1, motion 2 (drawer) is invalid: "), std::string::npos) << why;
+}
+
+/// In version 1 the keys of the motion were keys of the step.
+TEST(PlanVerdict, ReadsPlansOfBothVersions) {
+  const AssembledProduct product = test::lockedDrawer();
+  AssemblyPlan plan = test::planOf(product, "cabinet");
+  ASSERT_EQ(plan.steps.size(), 3U);
+  nlohmann::ordered_json old = planJson(plan, "drawer");
+  old["version"] = 1;
+  for (auto& step : old["steps"]) {
+    step.update(nlohmann::ordered_json(step["motions"][0]));
+    step.erase("motions");
+  }
+  plan.steps[0].motions.push_back(plan.steps[1].only());
+  plan.steps.erase(plan.steps.begin() + 1);
+  plan.steps[1].after = {1};
+  plan.steps[0].motions[1].proof.afterSteps = 0;
+  plan.steps[1].only().proof.afterSteps = 1;
+  const test::TemporaryFolder folder;
+  const auto read = [&](const nlohmann::ordered_json& json) {
+    const std::string file = folder / "plan.json";
+    std::ofstream(file) << json;
+    return check::readPlan(file);
+  };
+  const auto ofVersion1 = read(old);
+  ASSERT_TRUE(ofVersion1.ok()) << toString(ofVersion1.error());
+  ASSERT_EQ(ofVersion1->steps.size(), 3U);
+  EXPECT_EQ(ofVersion1->steps[2].number, 3U);
+  EXPECT_EQ(ofVersion1->steps[2].motion, 0U);
+  const auto ofVersion2 = read(planJson(plan, "drawer"));
+  ASSERT_TRUE(ofVersion2.ok()) << toString(ofVersion2.error());
+  ASSERT_EQ(ofVersion2->steps.size(), 3U);
+  EXPECT_EQ(ofVersion2->steps[1].number, 1U);
+  EXPECT_EQ(ofVersion2->steps[1].motion, 2U);
+  EXPECT_EQ(ofVersion2->steps[2].number, 2U);
+  for (const auto* each : {&*ofVersion1, &*ofVersion2}) {
+    const check::PlanVerdict verdict = check::judgePlan(judgedProduct(product), *each, std::nullopt);
+    EXPECT_TRUE(verdict.valid()) << whyNot(verdict, product);
+  }
+  old["version"] = 3;
+  EXPECT_FALSE(read(old).ok());
+}
+
 TEST(PlanVerdict, RefusesAPathThatEndsInsideAndAllowancesOfItsOwn) {
   const AssembledProduct product = test::lockedDrawer();
   AssemblyPlan plan = test::planOf(product, "cabinet");
   ASSERT_EQ(plan.steps.size(), 3U);
-  plan.steps[0].path.pop_back();
-  plan.steps[1].allowances.push_back({"cabinet", ContactKind::Planar, 0.0, 1e-3, {}});
+  plan.steps[0].only().path.pop_back();
+  plan.steps[1].only().allowances.push_back({"cabinet", ContactKind::Planar, 0.0, 1e-3, {}});
   const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt);
   EXPECT_FALSE(verdict.steps[0].endsOutside);
   ASSERT_FALSE(verdict.steps[1].refusals.empty());
@@ -68,7 +141,7 @@ TEST(PlanVerdict, RefusesAnAllowanceAgainstWhatHasLeft) {
   const AssembledProduct product = test::lockedDrawer();
   AssemblyPlan plan = test::planOf(product, "cabinet");
   ASSERT_EQ(plan.steps.size(), 3U);
-  plan.steps[2].allowances.push_back({"cap", ContactKind::Planar, 0.0, 1e-3, {}});
+  plan.steps[2].only().allowances.push_back({"cap", ContactKind::Planar, 0.0, 1e-3, {}});
   const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt);
   ASSERT_FALSE(verdict.steps[2].refusals.empty());
   EXPECT_NE(toString(verdict.steps[2].refusals[0]).find("1 mm of 'drawer' on 'cap'"), std::string::npos);
@@ -87,13 +160,13 @@ TEST(PlanVerdict, ReportsNoAllowanceAgainstWhatHasLeft) {
   const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt);
   EXPECT_TRUE(verdict.valid()) << whyNot(verdict, product);
   const auto& judged = verdict.steps[1].allowances;
-  EXPECT_TRUE(
-      std::any_of(judged.begin(), judged.end(), [&](const auto& each) { return each.other == plan.steps[0].body; }));
+  EXPECT_TRUE(std::any_of(judged.begin(), judged.end(),
+                          [&](const auto& each) { return each.other == plan.steps[0].only().body; }));
   const std::string text = check::reportText(verdict, judgedProduct(product));
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     if (line.find("step 1: allowance") == std::string::npos) continue;
-    EXPECT_EQ(line.find("'" + plan.steps[0].body.text() + "'"), std::string::npos) << line;
+    EXPECT_EQ(line.find("'" + plan.steps[0].only().body.text() + "'"), std::string::npos) << line;
   }
   EXPECT_NE(text.find("step 1: allowance"), std::string::npos) << "against the base";
 }
@@ -128,16 +201,16 @@ TEST(PlanVerdict, NutsLeaveTheirBoltFirstAndByTurningOnly) {
   const AssembledProduct product = boltedPlate();
   const AssemblyPlan plan = test::planOf(product, "plate");
   ASSERT_EQ(test::orderOf(plan), (std::vector<BodyId>{"nut", "nut#2", "bolt"}));
-  EXPECT_EQ(plan.steps[0].method, "turned");
-  ASSERT_EQ(plan.steps[0].allowances.size(), 1U);
-  EXPECT_EQ(plan.steps[0].allowances[0].pitch, test::kCoarsePitch);
-  EXPECT_NEAR(plan.steps[0].allowances[0].turns, 0.0115 / test::kCoarsePitch, 0.1);
-  EXPECT_EQ(plan.steps[2].method, "straight");
+  EXPECT_EQ(plan.steps[0].only().method, "turned");
+  ASSERT_EQ(plan.steps[0].only().allowances.size(), 1U);
+  EXPECT_EQ(plan.steps[0].only().allowances[0].pitch, test::kCoarsePitch);
+  EXPECT_NEAR(plan.steps[0].only().allowances[0].turns, 0.0115 / test::kCoarsePitch, 0.1);
+  EXPECT_EQ(plan.steps[2].only().method, "straight");
   const check::PlanVerdict turned = judgePlan(plan, product, std::nullopt);
   EXPECT_TRUE(turned.valid()) << whyNot(turned, product);
 
   AssemblyPlan pulling = plan;
-  pulling.steps[0].path = {plan.steps[0].path.front(), plan.steps[0].path.back()};
+  pulling.steps[0].only().path = {plan.steps[0].only().path.front(), plan.steps[0].only().path.back()};
   const check::PlanVerdict verdict = judgePlan(pulling, product, std::nullopt);
   EXPECT_FALSE(verdict.steps[0].valid());
   EXPECT_TRUE(verdict.steps[0].motion.verdict.againstThread);
@@ -150,7 +223,7 @@ TEST(PlanVerdict, ANutIsOnAThread) {
   AssembledProduct product = boltedPlate();
   product.fits.pairs.clear();
   const AssemblyPlan plan = test::planOf(product, "plate");
-  ASSERT_EQ(plan.steps[0].method, "straight");
+  ASSERT_EQ(plan.steps[0].only().method, "straight");
   const check::StepVerdict step = judgePlan(plan, product, std::nullopt).steps[0];
   EXPECT_FALSE(step.pulls.empty() && step.refusals.empty());
 }
@@ -163,19 +236,19 @@ TEST(PlanVerdict, AJointOfTheStepIsAThread) {
                        test::partAt("collar", collar, Pose::translation({0.0, 0.0, 0.0075}))},
                       true);
   AssemblyPlan plan = test::planOf(product, "plate");
-  ASSERT_EQ(plan.steps[0].method, "straight");
+  ASSERT_EQ(plan.steps[0].only().method, "straight");
   const auto isReported = [&] {
     const check::StepVerdict step = judgePlan(plan, product, std::nullopt).steps[0];
     return !step.pulls.empty() || !step.refusals.empty();
   };
   EXPECT_FALSE(isReported());
-  const BodyId other(plan.steps[0].body == "bolt" ? "collar" : "bolt");
-  plan.steps[0].joints = {{JointKind::Pin, plan.steps[0].body, {other}}};
+  const BodyId other(plan.steps[0].only().body == "bolt" ? "collar" : "bolt");
+  plan.steps[0].only().joints = {{JointKind::Pin, plan.steps[0].only().body, {other}}};
   EXPECT_FALSE(isReported());
   for (const JointKind kind : {JointKind::Nut, JointKind::Screw, JointKind::Thread}) {
-    plan.steps[0].joints = {{kind, plan.steps[0].body, {other}}};
+    plan.steps[0].only().joints = {{kind, plan.steps[0].only().body, {other}}};
     EXPECT_TRUE(isReported());
-    plan.steps[0].joints = {{kind, other, {plan.steps[0].body}}};
+    plan.steps[0].only().joints = {{kind, other, {plan.steps[0].only().body}}};
     EXPECT_TRUE(isReported());
   }
 }
@@ -196,16 +269,16 @@ TEST(PlanVerdict, AGroupWithANutLeavesTheBoltByTurningOnly) {
   const AssemblyPlan plan = makeSequenceStrategyRegistry().find("greedy")->make()->plan(question, host);
   ASSERT_EQ(plan.steps.size(), 1U);
   EXPECT_EQ(plan.steps[0].bodies(), (std::vector<BodyId>{"nut", "cap"}));
-  EXPECT_EQ(plan.steps[0].method, "turned");
-  ASSERT_EQ(plan.steps[0].allowances.size(), 1U);
-  EXPECT_EQ(plan.steps[0].allowances[0].pitch, test::kCoarsePitch);
-  EXPECT_GT(plan.steps[0].allowances[0].turns, 7.0);
+  EXPECT_EQ(plan.steps[0].only().method, "turned");
+  ASSERT_EQ(plan.steps[0].only().allowances.size(), 1U);
+  EXPECT_EQ(plan.steps[0].only().allowances[0].pitch, test::kCoarsePitch);
+  EXPECT_GT(plan.steps[0].only().allowances[0].turns, 7.0);
   const check::PlanVerdict turned = judgePlan(plan, product, std::nullopt);
   EXPECT_TRUE(turned.valid()) << whyNot(turned, product);
 
   AssemblyPlan pulling = plan;
-  pulling.steps[0].path = {plan.steps[0].path.front(), plan.steps[0].path.back()};
-  pulling.steps[0].path.back().q.orientation = pulling.steps[0].path.front().q.orientation;
+  pulling.steps[0].only().path = {plan.steps[0].only().path.front(), plan.steps[0].only().path.back()};
+  pulling.steps[0].only().path.back().q.orientation = pulling.steps[0].only().path.front().q.orientation;
   const check::PlanVerdict verdict = judgePlan(pulling, product, std::nullopt);
   EXPECT_FALSE(verdict.steps[0].valid());
   EXPECT_TRUE(verdict.steps[0].motion.verdict.againstThread);
@@ -228,10 +301,10 @@ struct PlanOfLines : ::testing::Test {
   }
 
   static AssemblyStep straight(const std::vector<BodyId>& bodies, const Vector3& way) {
-    AssemblyStep step;
-    step.body = bodies.front();
-    step.with.assign(bodies.begin() + 1, bodies.end());
-    step.path = computedPoints({Pose::identity(), Pose::translation(way)});
+    AssemblyStep step{{StepMotion()}};
+    step.only().body = bodies.front();
+    step.only().with.assign(bodies.begin() + 1, bodies.end());
+    step.only().path = computedPoints({Pose::identity(), Pose::translation(way)});
     return step;
   }
   check::PlanVerdict verdict() const { return judgePlan(plan, product, std::nullopt); }
@@ -278,21 +351,21 @@ TEST_F(PlanOfLines, KeepsForbiddenDirections) {
 
 TEST_F(PlanOfLines, CountsFlexibleBodiesWithoutAProof) {
   AssemblyStep& belt = plan.lines[0].steps[0];
-  belt.certified = false;
+  belt.only().certified = false;
   EXPECT_FALSE(verdict().valid()) << "its body is not flexible";
-  belt.joints.emplace_back().kind = JointKind::Flexible;
-  belt.joints[0].body = "pin";
+  belt.only().joints.emplace_back().kind = JointKind::Flexible;
+  belt.only().joints[0].body = "pin";
   const check::PlanVerdict judged = verdict();
   EXPECT_TRUE(judged.valid()) << whyNot(judged, product);
   EXPECT_EQ(judged.stepsWithoutProof(), 1U);
   EXPECT_EQ(judged.validSteps(), 1U);
   EXPECT_NE(whyNot(judged, product).find("step 1.1 (pin): its motion has no certificate"), std::string::npos);
 
-  belt.certified = true;
+  belt.only().certified = true;
   EXPECT_FALSE(verdict().valid()) << "a flexible body cannot be certified";
-  belt.certified = false;
-  plan.steps[0].certified = false;
-  plan.steps[0].joints = belt.joints;
+  belt.only().certified = false;
+  plan.steps[0].only().certified = false;
+  plan.steps[0].only().joints = belt.only().joints;
   EXPECT_FALSE(verdict().valid()) << "a flexible body takes nothing with it";
 }
 

@@ -39,10 +39,10 @@ struct PlanOfWords : ::testing::Test {
   }
 
   static AssemblyStep upwards(const std::vector<BodyId>& bodies) {
-    AssemblyStep step;
-    step.body = bodies.front();
-    step.with.assign(bodies.begin() + 1, bodies.end());
-    step.path = computedPoints({Pose::identity(), Pose::translation({0.0, 0.0, 0.3})});
+    AssemblyStep step{{StepMotion()}};
+    step.only().body = bodies.front();
+    step.only().with.assign(bodies.begin() + 1, bodies.end());
+    step.only().path = computedPoints({Pose::identity(), Pose::translation({0.0, 0.0, 0.3})});
     return step;
   }
   check::PlanVerdict verdict() const { return judgePlan(plan, product, std::nullopt, {}, &said); }
@@ -65,7 +65,8 @@ TEST_F(PlanOfWords, SayWhatAMotionThatFailsDoes) {
   };
   EXPECT_THAT(why(judgePlan(plan, product, 0.001, {}, &said)),
               HasSubstr("comes within 0.1 mm of 'drawer' on edge 0; the required clearance is 1 mm"));
-  plan.steps[0].path.insert(plan.steps[0].path.begin() + 1, PathPoint{Pose::translation({0.0, 0.0, -0.01})});
+  plan.steps[0].only().path.insert(plan.steps[0].only().path.begin() + 1,
+                                   PathPoint{Pose::translation({0.0, 0.0, -0.01})});
   EXPECT_THAT(why(verdict()), HasSubstr("penetrates 'drawer' on edge 0"));
 }
 
@@ -81,12 +82,12 @@ TEST_F(PlanOfWords, SaysHowPartsLeave) {
   EXPECT_EQ(group.inGroups, 2U);
   EXPECT_THAT(check::reportText(group, judgedProduct(product)), HasSubstr("2 in groups that are not disassembled"));
 
-  plan.steps[0].unit = true;
+  plan.steps[0].only().unit = true;
   EXPECT_EQ(verdict().outcome(), PlanOutcome::Conditional);
   EXPECT_THAT(conditions(), ElementsAre("'drawer', 'pin' are one unit"));
   confirm(JointKind::Unit, "drawer", {"pin"});
   EXPECT_EQ(verdict().outcome(), PlanOutcome::Valid);
-  plan.steps[0].unit = false;
+  plan.steps[0].only().unit = false;
   EXPECT_EQ(verdict().outcome(), PlanOutcome::Valid) << "a person's word is enough";
 
   plan.lines = {{1, {"drawer", "pin"}, {"drawer"}, {upwards({"pin"})}, {}, {}}};
@@ -112,9 +113,9 @@ TEST_F(PlanOfWords, APartWithoutAStepIsNotComplete) {
 
 TEST_F(PlanOfWords, AFlexibleBodyIsAPersonsWord) {
   AssemblyStep& belt = plan.steps[0];
-  belt.certified = false;
-  belt.joints.emplace_back().kind = JointKind::Flexible;
-  belt.joints[0].body = "pin";
+  belt.only().certified = false;
+  belt.only().joints.emplace_back().kind = JointKind::Flexible;
+  belt.only().joints[0].body = "pin";
   EXPECT_EQ(verdict().outcome(), PlanOutcome::Conditional);
   EXPECT_THAT(conditions(), ElementsAre("'pin' is flexible, so that its motion needs no certificate"));
   plan.demands.joints = {JointEdit{{JointKind::Flexible, "pin", {}}, JointEdit::Word::Confirmed}};
@@ -164,35 +165,36 @@ TEST_F(PlanOfWords, NumbersThatAreWrongAreRefused) {
     return all;
   };
   const auto joint = [](AssemblyStep& step) -> StepJoint& {
-    step.joints = {{JointKind::Screw, "pin", {"drawer"}}};
-    return step.joints[0];
+    step.only().joints = {{JointKind::Screw, "pin", {"drawer"}}};
+    return step.only().joints[0];
   };
   EXPECT_EQ(refusalOf([](AssemblyStep&) {}), "");
-  EXPECT_THAT(refusalOf([](AssemblyStep& step) { step.proof.required *= 2.0; }), HasSubstr("\"required_m\""));
-  EXPECT_THAT(refusalOf([](AssemblyStep& step) { step.proof.provedClearance = 9.9; }),
+  EXPECT_THAT(refusalOf([](AssemblyStep& step) { step.only().proof.required *= 2.0; }), HasSubstr("\"required_m\""));
+  EXPECT_THAT(refusalOf([](AssemblyStep& step) { step.only().proof.provedClearance = 9.9; }),
               HasSubstr("\"proved_clearance_m\""));
-  EXPECT_THAT(refusalOf([](AssemblyStep& step) { step.proof.minClearance *= 0.5; }), HasSubstr("\"min_clearance_m\""));
-  EXPECT_THAT(refusalOf([](AssemblyStep& step) { step.proof.afterSteps = 7; }), HasSubstr("\"after_steps\": 7"));
-  EXPECT_THAT(refusalOf([](AssemblyStep& step) { step.proof.nearest = "nobody"; }), HasSubstr("'nobody'"));
+  EXPECT_THAT(refusalOf([](AssemblyStep& step) { step.only().proof.minClearance *= 0.5; }),
+              HasSubstr("\"min_clearance_m\""));
+  EXPECT_THAT(refusalOf([](AssemblyStep& step) { step.only().proof.afterSteps = 7; }), HasSubstr("\"after_steps\": 7"));
+  EXPECT_THAT(refusalOf([](AssemblyStep& step) { step.only().proof.nearest = "nobody"; }), HasSubstr("'nobody'"));
   EXPECT_THAT(refusalOf([](AssemblyStep& step) { step.wave = 1000; }), HasSubstr("\"wave\": 1000"));
   EXPECT_THAT(refusalOf([](AssemblyStep& step) { step.task = 1000; }), HasSubstr("\"task\": 1000"));
   EXPECT_THAT(refusalOf([&](AssemblyStep& step) { joint(step).bend = 1e-3; }), HasSubstr("\"bend_m\""));
   EXPECT_THAT(refusalOf([&](AssemblyStep& step) { joint(step).driveSize = 9.9; }), HasSubstr("\"drive_size_m\": 9.9"));
   EXPECT_THAT(refusalOf([&](AssemblyStep& step) {
                 joint(step).drive = DriveKind::HexOutside;
-                step.joints[0].driveSize = 0.015;
+                step.only().joints[0].driveSize = 0.015;
               }),
               HasSubstr("\"drive_size_m\": 0.015"));
   EXPECT_EQ(refusalOf([&](AssemblyStep& step) {
               joint(step).drive = DriveKind::HexOutside;
-              step.joints[0].driveSize = 0.01;
+              step.only().joints[0].driveSize = 0.01;
             }),
             "")
       << "two faces are so far apart";
   EXPECT_THAT(refusalOf([&](AssemblyStep& step) {
                 joint(step).pitch = 1e-3;
-                step.joints[0].diameter = 0.5;
-                step.joints[0].turns = 1000.0;
+                step.only().joints[0].diameter = 0.5;
+                step.only().joints[0].turns = 1000.0;
               }),
               testing::AllOf(HasSubstr("\"turns\": 1000"), HasSubstr("\"diameter_m\": 0.5")));
 }
@@ -211,17 +213,17 @@ AssembledProduct nutOnABolt() {
 AssemblyPlan turnedBy(const AssembledProduct& product, double pitch) {
   AssemblyPlan plan = test::planOf(product, "bolt");
   AssemblyStep& step = plan.steps[0];
-  const Pose first = step.path.front().q;
-  const Vector3 way = step.path.back().q.position - first.position;
+  const Pose first = step.only().path.front().q;
+  const Vector3 way = step.only().path.back().q.position - first.position;
   const double edges = std::ceil(4.0 * way.norm() / std::abs(pitch));
-  step.path = {step.path.front()};
+  step.only().path = {step.only().path.front()};
   for (int i = 1; i <= static_cast<int>(edges); ++i) {
     const double share = i / edges;
     const double turn = 2.0 * std::numbers::pi * share * way.norm() / pitch;
     const Quaternion orientation(Eigen::AngleAxisd(turn, way.normalized()));
-    step.path.push_back({{first.position + share * way, orientation * first.orientation}, Author::Computer});
+    step.only().path.push_back({{first.position + share * way, orientation * first.orientation}, Author::Computer});
   }
-  for (Allowance& each : step.allowances) {
+  for (Allowance& each : step.only().allowances) {
     each.pitch = pitch;
     each.turns = way.norm() / std::abs(pitch);
   }

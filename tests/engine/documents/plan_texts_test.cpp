@@ -16,11 +16,11 @@ namespace glissade {
 namespace {
 
 AssemblyStep stepOf(const BodyId& body, const std::vector<Pose>& way) {
-  AssemblyStep step;
-  step.body = body;
-  for (const Pose& q : way) step.path.push_back({q, Author::Computer});
-  step.method = "straight";
-  step.proof = {0, 1e-6, 2e-6, 3e-4, "cabinet"};
+  AssemblyStep step{{StepMotion()}};
+  step.only().body = body;
+  for (const Pose& q : way) step.only().path.push_back({q, Author::Computer});
+  step.only().method = "straight";
+  step.only().proof = {0, 1e-6, 2e-6, 3e-4, "cabinet"};
   return step;
 }
 
@@ -32,7 +32,7 @@ AssemblyPlan somePlan() {
   plan.steps.push_back(
       stepOf("pin", {Pose::identity(), Pose::translation({0.0, 0.0, 0.25}), Pose::translation({0.1, 0.0, 0.25})}));
   plan.steps[1].after = {1};
-  plan.steps[1].allowances.push_back({"cabinet", ContactKind::Thread, 4e-4, 4.1e-4, Message("text")});
+  plan.steps[1].only().allowances.push_back({"cabinet", ContactKind::Thread, 4e-4, 4.1e-4, Message("text")});
   plan.stuck = {{"drawer", {"cabinet"}}};
   plan.end = PlanEnd::Stuck;
   return plan;
@@ -60,37 +60,37 @@ TEST(PlanWords, MotionsAreToldInTheOrderThatIsAskedFor) {
 TEST(PlanWords, AFastenerIsNamedByItsDesignationOrElseByTheSizeOfItsThread) {
   const AssembledProduct product = test::lockedDrawer();
   AssemblyStep step = somePlan().steps[0];
-  step.joints.push_back({JointKind::Nut, "cap", {"pin"}});
-  step.joints.back().turns = 2.7;
+  step.only().joints.push_back({JointKind::Nut, "cap", {"pin"}});
+  step.only().joints.back().turns = 2.7;
   const auto work = [&] { return wordsIn(Language::English).work(step, product, PlanOrder::Assembly); };
   EXPECT_EQ(work(), "screw on nut cap, 2.7 turns");
-  step.joints.back().diameter = 0.009997;
+  step.only().joints.back().diameter = 0.009997;
   EXPECT_EQ(work(), "screw on nut M10, 2.7 turns");
   const std::string french = wordsIn(Language::French).work(step, product, PlanOrder::Assembly);
   EXPECT_NE(french.find("2,7 tours"), std::string::npos) << french;
-  step.joints.back().designation = "ISO 4032 M10";
+  step.only().joints.back().designation = "ISO 4032 M10";
   EXPECT_EQ(work(), "screw on nut ISO 4032 M10, 2.7 turns");
-  step.body = "pin";
+  step.only().body = "pin";
   EXPECT_EQ(work(), "screw into cap, 2.7 turns") << "the other side is named as a part";
 }
 
 TEST(PlanWords, AToolHasTheSizeOfTheHexagonThatItTurns) {
   const AssembledProduct product = test::lockedDrawer();
   AssemblyStep step = somePlan().steps[0];
-  step.tool.kind = ToolKind::HexKey;
-  EXPECT_EQ(wordsIn(Language::English).tool(step, product), "hex key");
-  step.joints.push_back({JointKind::Screw, "cap", {"pin"}});
-  step.joints.back().drive = DriveKind::HexSocket;
-  step.joints.back().driveSize = 0.00249998;
-  EXPECT_EQ(wordsIn(Language::English).tool(step, product), "hex key 2.5");
-  step.joints.back().driveSize = 0.014;
-  EXPECT_EQ(wordsIn(Language::English).tool(step, product), "hex key 14");
-  step.joints.back().driveSize = 0.0031;
-  EXPECT_EQ(wordsIn(Language::English).tool(step, product), "hex key 3") << "as one buys it";
-  step.joints.back().driveSize = 0.0047625;
-  EXPECT_EQ(wordsIn(Language::English).tool(step, product), "hex key 3/16″");
-  step.joints.back().drive = DriveKind::Cross;
-  EXPECT_EQ(wordsIn(Language::English).tool(step, product), "hex key") << "the width of a cross is no size";
+  step.only().tool.kind = ToolKind::HexKey;
+  EXPECT_EQ(wordsIn(Language::English).tool(step.only(), product), "hex key");
+  step.only().joints.push_back({JointKind::Screw, "cap", {"pin"}});
+  step.only().joints.back().drive = DriveKind::HexSocket;
+  step.only().joints.back().driveSize = 0.00249998;
+  EXPECT_EQ(wordsIn(Language::English).tool(step.only(), product), "hex key 2.5");
+  step.only().joints.back().driveSize = 0.014;
+  EXPECT_EQ(wordsIn(Language::English).tool(step.only(), product), "hex key 14");
+  step.only().joints.back().driveSize = 0.0031;
+  EXPECT_EQ(wordsIn(Language::English).tool(step.only(), product), "hex key 3") << "as one buys it";
+  step.only().joints.back().driveSize = 0.0047625;
+  EXPECT_EQ(wordsIn(Language::English).tool(step.only(), product), "hex key 3/16″");
+  step.only().joints.back().drive = DriveKind::Cross;
+  EXPECT_EQ(wordsIn(Language::English).tool(step.only(), product), "hex key") << "the width of a cross is no size";
 }
 
 TEST(PlanWords, WorkIsWhatIsDoneToJointsOrElseTheMotion) {
@@ -98,7 +98,7 @@ TEST(PlanWords, WorkIsWhatIsDoneToJointsOrElseTheMotion) {
   AssemblyStep step = somePlan().steps[0];
   const PlanWords english = wordsIn(Language::English);
   EXPECT_EQ(english.work(step, product, PlanOrder::Assembly), english.motion(step, PlanOrder::Assembly));
-  step.joints.push_back({JointKind::Pin, "cap", {"pin"}});
+  step.only().joints.push_back({JointKind::Pin, "cap", {"pin"}});
   EXPECT_EQ(english.work(step, product, PlanOrder::Assembly), "put into pin");
 }
 
@@ -123,10 +123,10 @@ TEST(PlanWords, NamesAreShort) {
 TEST(PlanTable, HasALineForEachStepAndEachStuckPart) {
   const AssembledProduct product = test::lockedDrawer();
   AssemblyPlan plan = somePlan();
-  plan.steps.front().tool.kind = ToolKind::HexKey;
-  plan.steps.front().falling = {"pin", "drawer", "cabinet"};
+  plan.steps.front().only().tool.kind = ToolKind::HexKey;
+  plan.steps.front().only().falling = {"pin", "drawer", "cabinet"};
   plan.steps.front().violates = {{StepViolation::Rule::Fastener, {"pin"}}, {StepViolation::Rule::Place, {}}};
-  plan.steps.back().tool = {ToolKind::Socket, ToolAccess::Blocked, {"drawer"}};
+  plan.steps.back().only().tool = {ToolKind::Socket, ToolAccess::Blocked, {"drawer"}};
   const auto removal = linesOf(planAsCsv(plan, product, PlanOrder::Removal));
   ASSERT_EQ(removal.size(), 4U);
   EXPECT_EQ(removal[1],
@@ -145,6 +145,34 @@ TEST(PlanTable, HasALineForEachStepAndEachStuckPart) {
     }
     EXPECT_EQ(columns, 15U) << line;
   }
+}
+
+/// Cap and pin as one step.
+AssemblyPlan planOfAStack() {
+  AssemblyPlan plan = somePlan();
+  plan.steps[0].motions.push_back(plan.steps[1].only());
+  plan.steps.pop_back();
+  plan.steps[0].motions[1].allowances.push_back({"cap", ContactKind::Planar, 0.0, 9e-4, Message("text")});
+  return plan;
+}
+
+TEST(PlanTable, AStepOfSeveralMotionsHasALineForEachInTheOrder) {
+  const AssembledProduct product = test::lockedDrawer();
+  const auto removal = linesOf(planAsCsv(planOfAStack(), product, PlanOrder::Removal));
+  ASSERT_EQ(removal.size(), 4U);
+  EXPECT_EQ(removal[1].rfind("1,cap,", 0), 0U) << removal[1];
+  EXPECT_EQ(removal[2].rfind("1,pin,", 0), 0U) << removal[2];
+  EXPECT_NE(removal[2].find(",0.00041,"), std::string::npos) << "the cap has left: " << removal[2];
+  EXPECT_EQ(linesOf(planAsCsv(planOfAStack(), product, PlanOrder::Assembly))[1].rfind("1,pin,", 0), 0U);
+}
+
+TEST(PlanWords, AStepOfSeveralMotionsIsToldInTheOrderOfItsMotions) {
+  const AssembledProduct product = test::lockedDrawer();
+  const AssemblyStep step = planOfAStack().steps[0];
+  EXPECT_EQ(nameOfStep(step, product), "pin, cap");
+  const PlanWords english = wordsIn(Language::English);
+  EXPECT_EQ(english.work(step, product, PlanOrder::Removal), "up (+Z), 500 mm; up (+Z), 250 mm, then +X, 100 mm");
+  EXPECT_EQ(english.work(step, product, PlanOrder::Assembly), "−X, 100 mm, then down (−Z), 250 mm; down (−Z), 500 mm");
 }
 
 std::size_t countOf(const std::string& what, const std::string& text) {
@@ -224,12 +252,12 @@ AssemblyPlan planWithASubassembly() {
   AssemblyPlan plan = somePlan();
   plan.stuck.clear();
   AssemblyStep group = plan.steps[1];
-  group.body = "pin";
-  group.with = {"cap"};
+  group.only().body = "pin";
+  group.only().with = {"cap"};
   AssemblyStep cap = plan.steps[0];
-  cap.joints.push_back({JointKind::Screw, "cap", {"pin"}});
-  cap.joints.back().designation = "ISO 4762 M3x8";
-  cap.joints.back().turns = 9.5;
+  cap.only().joints.push_back({JointKind::Screw, "cap", {"pin"}});
+  cap.only().joints.back().designation = "ISO 4762 M3x8";
+  cap.only().joints.back().turns = 9.5;
   plan.lines.push_back({1, {"pin", "cap"}, {"pin"}, {cap}});
   plan.steps = {group};
   return plan;
@@ -259,9 +287,9 @@ TEST(PlanReport, StepsOfOneTaskAreOnePage) {
   plan.stuck.clear();
   for (AssemblyStep& step : plan.steps) {
     step.task = 1;
-    step.joints.push_back({JointKind::Screw, step.body, {"cabinet"}});
-    step.joints.back().designation = "M3x8";
-    step.joints.back().turns = 9.5;
+    step.only().joints.push_back({JointKind::Screw, step.only().body, {"cabinet"}});
+    step.only().joints.back().designation = "M3x8";
+    step.only().joints.back().turns = 9.5;
   }
   const auto page =
       reportHtml(planReport({plan, product, "drawer", 0.0, {}, {}, {}, "", "", {}}, wordsIn(Language::English)));
@@ -275,8 +303,8 @@ TEST(PartsList, FastenersOfOneDesignationAreOneRowBehindTheParts) {
   AssembledProduct product = test::lockedDrawer();
   AssemblyPlan plan = planWithASubassembly();
   AssemblyStep& group = plan.steps.front();
-  group.joints = plan.lines.front().steps.front().joints;
-  group.joints.front().body = "pin";
+  group.only().joints = plan.lines.front().steps.front().only().joints;
+  group.only().joints.front().body = "pin";
   const std::vector<PartsListRow> rows = partsList(plan, product);
   ASSERT_EQ(rows.size(), 3U) << "drawer, cabinet, pin and cap";
   EXPECT_EQ(rows.back().designation, "ISO 4762 M3x8");
@@ -308,7 +336,7 @@ TEST(PartsList, NamesAreThoseOfTheFile) {
   AssemblyPlan plan;
   plan.staying = {"base"};
   plan.steps.push_back(stepOf("1_4-20", {Pose::identity(), Pose::translation({0, 0, 1})}));
-  plan.steps.back().proof.nearest = "base";
+  plan.steps.back().only().proof.nearest = "base";
   EXPECT_EQ(partsList(plan, product).back().name, "1/4-20 x 1, zinc");
   EXPECT_NE(planAsCsv(plan, product, PlanOrder::Removal).find("\n1,\"1/4-20 x 1, zinc\","), std::string::npos);
 }

@@ -16,10 +16,10 @@ AssemblyPlan planOfDrawer(const AssembledProduct& product) {
   int axis = 0;
   for (const BodyId& id : std::vector<BodyId>{"cap", "pin", "drawer"}) {
     const Pose& start = product.bodies[product.indexOf(id)].X_WB;
-    AssemblyStep step;
-    step.body = id;
-    step.path = {{start, Author::Computer},
-                 {{start.position + 3.0 * Vector3::Unit(axis++), start.orientation}, Author::Computer}};
+    AssemblyStep step{{StepMotion()}};
+    step.only().body = id;
+    step.only().path = {{start, Author::Computer},
+                        {{start.position + 3.0 * Vector3::Unit(axis++), start.orientation}, Author::Computer}};
     plan.steps.push_back(step);
   }
   return plan;
@@ -57,13 +57,13 @@ TEST(PlanGlb, StepsFollowOneAnotherAndEndWhereTheirPathsEnd) {
     ASSERT_EQ(tracks.size(), 3U);
     for (std::size_t i = 0; i < 3; ++i) {
       const AssemblyStep& step = plan.steps[order == PlanOrder::Assembly ? 2 - i : i];
-      EXPECT_EQ(tracks[i].node, step.body.text());
+      EXPECT_EQ(tracks[i].node, step.only().body.text());
       for (std::size_t k = 1; k < tracks[i].times.size(); ++k) {
         EXPECT_GT(tracks[i].times[k][0], tracks[i].times[k - 1][0]);
       }
       EXPECT_NEAR(tracks[i].times.back()[0], 2.0 * static_cast<double>(i + 1), 1e-2);
-      const Vector3 first = step.path.front().q.position;
-      const Vector3 last = step.path.back().q.position;
+      const Vector3 first = step.only().path.front().q.position;
+      const Vector3 last = step.only().path.back().q.position;
       const bool assembly = order == PlanOrder::Assembly;
       EXPECT_LT((vectorOf(tracks[i].positions.front()) - (assembly ? last : first)).norm(), 1e-5);
       EXPECT_LT((vectorOf(tracks[i].positions.back()) - (assembly ? first : last)).norm(), 1e-5);
@@ -80,7 +80,7 @@ TEST(PlanGlb, APlanWithoutStepsIsAStillPicture) {
 TEST(PlanGlb, AStepBeyondSinglePrecisionIsAnError) {
   const AssembledProduct product = test::lockedDrawer();
   AssemblyPlan plan = planOfDrawer(product);
-  plan.steps[0].path.back().q.position.x() = 1e300;
+  plan.steps[0].only().path.back().q.position.x() = 1e300;
   EXPECT_FALSE(planAsGlb(plan, product, PlanOrder::Removal, "drawer").ok());
 }
 

@@ -80,11 +80,11 @@ TEST(ScenarioSchema, RefusesWhatTheReaderRefuses) {
 }
 
 TEST(PlanSchema, AcceptsWhatIsWritten) {
-  Schema schema("plan-1");
+  Schema schema("plan-2");
   const test::TemporaryFolder folder;
   ASSERT_TRUE(savePlan(test::somePlan(), "product.step", folder / "plan.json").ok());
   EXPECT_EQ(schema.complaint(test::readWhole(folder / "plan.json")), "");
-  EXPECT_NE(schema.complaint(R"({"format": "glissade-plan", "version": 1})"), "");
+  EXPECT_NE(schema.complaint(R"({"format": "glissade-plan", "version": 2})"), "");
 }
 
 TEST(JointsSchema, AcceptsWhatIsWritten) {
@@ -110,7 +110,7 @@ TEST(JointsSchema, AcceptsWhatIsWritten) {
 TEST(Schemas, FilesAreWhatTheCodeDescribes) {
   const std::pair<const char*, nlohmann::ordered_json> schemas[] = {
       {"scenario-1", scenarioSchema()},
-      {"plan-1", planSchema()},
+      {"plan-2", planSchema()},
       {"run-2", runRecordSchema()},
       {"study-1", studySchema()},
       {"instruction-template-1", instructionTemplateSchema()}};

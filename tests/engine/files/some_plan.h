@@ -12,27 +12,25 @@ inline AssemblyPlan somePlan() {
   plan.bodies = {"plate", "nut", "bolt", "rod"};
   plan.staying = {"plate"};
   const Pose away{{0.1, 0.25, -3.0}, fromRollPitchYaw(0.1, 0.2, 0.3)};
-  AssemblyStep nut{
-      "nut",
-      {{Pose::identity(), Author::Computer}, {away, Author::Contact}},
-      "straight",
-      1,
-      {0, 1e-6, 2e-6, 3e-6, "bolt"},
-      {{"bolt", ContactKind::Thread, 4e-4, 4.1e-4, Message("nut, 0.41 mm on the thread of bolt (thread)")}}};
+  StepMotion nut{"nut",
+                 {{Pose::identity(), Author::Computer}, {away, Author::Contact}},
+                 "straight",
+                 {0, 1e-6, 2e-6, 3e-6, "bolt"},
+                 {{"bolt", ContactKind::Thread, 4e-4, 4.1e-4, Message("nut, 0.41 mm on the thread of bolt (thread)")}}};
   nut.allowances.front().evidence = {4e-4, 1e-5, 1e-9, 1e-6, 2e-5};
-  plan.steps.push_back(nut);
-  plan.bodies.insert(plan.bodies.end(), {"wheel", "bearing"});
-  AssemblyStep group{"wheel", {{Pose::identity(), Author::Computer}, {away, Author::Computer}}, "straight", 2, {}, {}};
+  nut.fastener = FastenerKind::Nut;
+  nut.tool = {ToolKind::Socket, ToolAccess::Blocked, {"plate", "rod"}, {}, "bolt", ToolKind::HexKey};
+  plan.bodies.insert(plan.bodies.end(), {"wheel", "bearing", "washer"});
+  StepMotion washer{"washer", nut.path, "straight", nut.proof, {}};
+  plan.steps.push_back({{nut, washer}, 1});
+  StepMotion group{"wheel", {{Pose::identity(), Author::Computer}, {away, Author::Computer}}, "straight", {}, {}};
   group.proof.required = 1e-6;
   group.with = {"bearing"};
-  group.after = {1};
   group.allowances = {
       {"plate", ContactKind::Press, 0.0, 1e-5, Message("plate, 0.01 mm on bearing (press)"), "bearing", true}};
   group.falling = {"rod"};
-  plan.steps.push_back(group);
-  plan.steps.front().fastener = FastenerKind::Nut;
-  plan.steps.front().tool = {ToolKind::Socket, ToolAccess::Blocked, {"plate", "rod"}};
-  plan.waiting = {AssemblyStep{"rod", nut.path, "straight", 2, nut.proof, {}}};
+  plan.steps.push_back({{group}, 2, {1}});
+  plan.waiting = {{"rod", nut.path, "straight", nut.proof, {}}};
   plan.demands.before = {{"nut", "bolt"}};
   plan.demands.cost = "few-tools";
   plan.demands.places = {{{"wheel", "bearing"}, 2, true}};

@@ -20,10 +20,10 @@ using Names = std::vector<std::string>;
 AssemblyPlan planOfSteps(const Names& order) {
   AssemblyPlan plan;
   for (const std::string& id : order) {
-    AssemblyStep step;
-    step.body = BodyId(id);
-    step.path = {{Pose::identity(), Author::Computer}, {Pose::translation({0.0, 0.0, 1.0}), Author::Computer}};
-    step.method = "straight";
+    AssemblyStep step{{StepMotion()}};
+    step.only().body = BodyId(id);
+    step.only().path = {{Pose::identity(), Author::Computer}, {Pose::translation({0.0, 0.0, 1.0}), Author::Computer}};
+    step.only().method = "straight";
     plan.steps.push_back(step);
   }
   return plan;
@@ -62,6 +62,22 @@ TEST(DemandedSteps, ALockedStepKeepsItsPlaceAndItsMotion) {
   EXPECT_TRUE(demands.motions.empty());
 }
 
+/// The place is that of the first motion of the step, and the other ones follow it.
+TEST(DemandedSteps, AStackIsMovedAndLockedAsOneStep) {
+  AssemblyPlan plan = planOfSteps({"a", "nut", "b"});
+  plan.steps[1].motions.push_back(planOfSteps({"bolt"}).steps[0].only());
+  const SequenceDemands moved = withStepMoved(1, 0, plan, {});
+  EXPECT_EQ(placesOf(moved), (Places{{"nut", 1}}));
+  EXPECT_EQ(placesOf(withStepMoved(1, 2, plan, moved)), (Places{{"nut", 3}}));
+  const SequenceDemands locked = withStepLocked(1, true, plan, {});
+  EXPECT_EQ(placesOf(locked), (Places{{"nut", 2}}));
+  ASSERT_EQ(locked.motions.size(), 2U);
+  EXPECT_EQ(locked.motions[1].bodies, Names{"bolt"});
+  EXPECT_TRUE(demandsOn(plan.steps[1].bodies(), locked).isLocked());
+  EXPECT_EQ(withStepLocked(1, false, plan, locked), SequenceDemands());
+  EXPECT_EQ(withoutDemandsOn(plan.steps[1].bodies(), locked), SequenceDemands());
+}
+
 TEST(DemandedSteps, TwoStepsNeverHaveOnePlace) {
   SequenceDemands demands;
   demands.places = {{{"stuck"}, 2}};
@@ -94,7 +110,7 @@ TEST(DemandConflicts, NoDemandGoesBecauseAnotherOneComes) {
   EXPECT_TRUE(conflictBetween(kept, withForbidden({"b"}, {0.0, 0.0, 1.0}, kept)).isNone());
 
   const SequenceDemands forbidden = withForbidden({"a"}, {0.0, 0.0, 1.0}, {});
-  const SequenceDemands moved = withMotion({{"a"}, plan.steps[0].path, kByHand}, forbidden);
+  const SequenceDemands moved = withMotion({{"a"}, plan.steps[0].only().path, kByHand}, forbidden);
   EXPECT_EQ(moved.forbidden, forbidden.forbidden);
   conflict = conflictBetween(forbidden, moved);
   EXPECT_EQ(conflict.forbidden, forbidden.forbidden);
@@ -117,7 +133,7 @@ TEST(DemandConflicts, ALockedStepTakesNoPlaceAway) {
 TEST(DemandConflicts, AMotionInAForbiddenDirectionIsNotPlanned) {
   const AssembledProduct product = test::lockedDrawer();
   SequenceDemands demands;
-  demands.motions = {{{"cap"}, planOfSteps({"cap"}).steps[0].path, kByHand}};
+  demands.motions = {{{"cap"}, planOfSteps({"cap"}).steps[0].only().path, kByHand}};
   ASSERT_TRUE(resolved(demands, product).ok());
   demands.forbidden = {{"cap", {0.0, 0.1, 1.0}}};
   const auto refused = resolved(demands, product);
@@ -213,13 +229,13 @@ TEST(DemandedSteps, NothingLeavesInAForbiddenDirection) {
   const AssemblyPlan plan = planned(product, "base", demands);
   ASSERT_EQ(plan.steps.size(), 3U);
   for (const AssemblyStep& step : plan.steps) {
-    if (step.body != "two") continue;
-    const Vector3 way = exitDirection(step.path);
+    if (step.only().body != "two") continue;
+    const Vector3 way = exitDirection(step.only().path);
     EXPECT_LT(way.z(), tolerance::kForbiddenCone);
     EXPECT_LT(way.x(), tolerance::kForbiddenCone);
   }
   AssemblyPlan wrong = planned(product, "base", {});
-  wrong.demands.forbidden = {{wrong.steps[0].body.text(), exitDirection(wrong.steps[0].path)}};
+  wrong.demands.forbidden = {{wrong.steps[0].only().body.text(), exitDirection(wrong.steps[0].only().path)}};
   EXPECT_FALSE(judgePlan(wrong, product, std::nullopt).steps[0].valid());
 }
 
@@ -250,7 +266,7 @@ TEST(DemandedSteps, ADirectionIsForbiddenUntilThePartHasLeftWhatItTouched) {
   const AssembledProduct open = blockInAPit(0.0);
   const AssemblyPlan plan = planned(open, "pit", demands);
   ASSERT_EQ(plan.steps.size(), 1U);
-  EXPECT_LT(plan.steps[0].path[1].q.position.z(), 0.16);
+  EXPECT_LT(plan.steps[0].only().path[1].q.position.z(), 0.16);
   EXPECT_TRUE(judgePlan(plan, open, std::nullopt).valid());
 }
 
@@ -290,9 +306,9 @@ TEST(DemandedSteps, AMotionOfAPersonIsTheOnlyOne) {
   const AssemblyPlan plan = planned(product, "base", demands);
   ASSERT_EQ(plan.steps.size(), 3U);
   const auto own =
-      std::find_if(plan.steps.begin(), plan.steps.end(), [](const auto& step) { return step.body == "two"; });
-  EXPECT_EQ(own->method, kByHand);
-  EXPECT_EQ(own->path.back().q, aside);
+      std::find_if(plan.steps.begin(), plan.steps.end(), [](const auto& step) { return step.only().body == "two"; });
+  EXPECT_EQ(own->only().method, kByHand);
+  EXPECT_EQ(own->only().path.back().q, aside);
 
   Pose through = two.X_WB;
   through.position += Vector3(3.0, 0.0, 0.0);
@@ -328,9 +344,9 @@ class CertifyingTrial final : public RemovalTrial {
 TEST(DemandedSteps, AKnownMotionIsNotSearchedAgain) {
   const AssembledProduct product = looseBoxes();
   AssemblyPlan known = planOfSteps({"two"});
-  known.steps[0].path[0].q = product.bodies[2].X_WB;
-  known.steps[0].path[1].q.position = {0.0, 0.0, 9.0};
-  known.steps[0].method = "auto: known";
+  known.steps[0].only().path[0].q = product.bodies[2].X_WB;
+  known.steps[0].only().path[1].q.position = {0.0, 0.0, 9.0};
+  known.steps[0].only().method = "auto: known";
   CertifyingTrial inner;
   OrderRules rules;
   DemandingTrial trial(inner, rules, product, &known);

@@ -97,8 +97,8 @@ TEST(ExplodedView, OneStepMovesAtATimeAndTheLastShareHasAll) {
   const AssembledProduct product = test::lockedDrawer();
   const AssemblyPlan plan = test::planOf(product, "cabinet");
   const ExplodedView view(product, plan);
-  const std::size_t first = product.indexOf(plan.steps.front().body);
-  const std::size_t last = product.indexOf(plan.steps.back().body);
+  const std::size_t first = product.indexOf(plan.steps.front().only().body);
+  const std::size_t last = product.indexOf(plan.steps.back().only().body);
   const auto early = view.at(0.3);
   EXPECT_GT(early[first].position.norm(), 0.0);
   EXPECT_EQ(early[last], Pose::identity());
@@ -120,10 +120,10 @@ TEST(ExplodedView, BoxesInAnyOrderAndDirectionComeApart) {
       Vector3 direction(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
       if (round % 2 == 0) direction = Vector3::Unit(i % 3);
       const Pose& start = product.bodies[static_cast<std::size_t>(i)].X_WB;
-      AssemblyStep step;
-      step.body = BodyId(std::to_string(i));
-      step.path = {{start, Author::Computer},
-                   {{start.position + 5.0 * direction.normalized(), start.orientation}, Author::Computer}};
+      AssemblyStep step{{StepMotion()}};
+      step.only().body = BodyId(std::to_string(i));
+      step.only().path = {{start, Author::Computer},
+                          {{start.position + 5.0 * direction.normalized(), start.orientation}, Author::Computer}};
       plan.steps.push_back(step);
     }
     BodySet leaves(8, true);
@@ -145,14 +145,14 @@ std::pair<AssembledProduct, AssemblyPlan> blocksThatLeave(int count, bool turns)
     product.bodies.push_back(body);
   }
   for (int i = count - 1; i > 0; --i) {
-    AssemblyStep step;
-    step.body = product.bodies[static_cast<std::size_t>(i)].id;
+    AssemblyStep step{{StepMotion()}};
+    step.only().body = product.bodies[static_cast<std::size_t>(i)].id;
     const int edges = turns ? 80 : 1;
     for (int edge = 0; edge <= edges; ++edge) {
       Pose q = product.bodies[static_cast<std::size_t>(i)].X_WB;
       q.position.z() += 0.4 * edge / edges;
       q.orientation = fromRotationVector((turns ? 0.8 * edge : 0.0) * Vector3::UnitZ());
-      step.path.push_back({q, Author::Computer});
+      step.only().path.push_back({q, Author::Computer});
     }
     plan.steps.push_back(std::move(step));
   }

@@ -88,7 +88,7 @@ TEST(Fasteners, NutsLeaveBeforeTheirBolts) {
   ASSERT_NE(bolt, order.end());
   EXPECT_LT(nut, bolt);
   const auto& step = plan.steps[static_cast<std::size_t>(bolt - order.begin())];
-  EXPECT_EQ(step.fastener, FastenerKind::Screw);
+  EXPECT_EQ(step.only().fastener, FastenerKind::Screw);
   const auto number = static_cast<std::size_t>(nut - order.begin()) + 1;
   EXPECT_NE(std::find(step.after.begin(), step.after.end(), number), step.after.end());
 }

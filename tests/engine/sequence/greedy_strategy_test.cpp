@@ -163,9 +163,9 @@ TEST(GreedyStrategy, NamesTheStepsThatHaveToBeCarriedOutBefore) {
     RuledTrial trial(rules);
     const AssemblyPlan plan = planned(product, trial);
     for (std::size_t step = 0; step < plan.steps.size(); ++step) {
-      const auto& blockedBy = rules[product.indexOf(plan.steps[step].body)].blockedBy;
+      const auto& blockedBy = rules[product.indexOf(plan.steps[step].only().body)].blockedBy;
       for (std::size_t other = 0; other < step; ++other) {
-        const bool needed = blockedBy.count(product.indexOf(plan.steps[other].body)) != 0;
+        const bool needed = blockedBy.count(product.indexOf(plan.steps[other].only().body)) != 0;
         const auto& after = plan.steps[step].after;
         EXPECT_EQ(std::count(after.begin(), after.end(), other + 1), needed ? 1 : 0);
       }

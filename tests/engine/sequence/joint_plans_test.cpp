@@ -89,7 +89,7 @@ TEST(JointPlans, ANutLeavesByTheOtherEndWhereOneIsForbidden) {
     const auto plan = planSequence(product, test::fitsOf(product), request, host);
     ASSERT_TRUE(plan);
     ASSERT_EQ(plan->steps.size(), 1U) << forbidden;
-    const std::vector<PathPoint>& path = plan->steps[0].path;
+    const std::vector<PathPoint>& path = plan->steps[0].only().path;
     EXPECT_EQ(path.back().q.position.z() > path.front().q.position.z(), forbidden <= 0.0);
     EXPECT_TRUE(judgePlan(*plan, product, std::nullopt, {}).valid()) << forbidden;
   }
@@ -202,11 +202,11 @@ TEST(JointPlan, AScrewTurnsOutBeforeWhatItClamps) {
   const AssemblyPlan plan = planOf(product, {screwIn(2, {0}, {1})}, "base");
   ASSERT_EQ(test::orderOf(plan), (std::vector<BodyId>{"screw", "cover"}));
   const AssemblyStep& step = plan.steps.front();
-  EXPECT_EQ(step.method, kTurned);
-  ASSERT_EQ(step.joints.size(), 1U);
-  EXPECT_NEAR(step.joints.front().turns, kEngaged / kPitch, 1e-9);
-  EXPECT_EQ(step.joints.front().clamped, std::vector<BodyId>{"cover"});
-  EXPECT_NEAR(turnsOf(step.path), kEngaged / kPitch, 1e-9);
+  EXPECT_EQ(step.only().method, kTurned);
+  ASSERT_EQ(step.only().joints.size(), 1U);
+  EXPECT_NEAR(step.only().joints.front().turns, kEngaged / kPitch, 1e-9);
+  EXPECT_EQ(step.only().joints.front().clamped, std::vector<BodyId>{"cover"});
+  EXPECT_NEAR(turnsOf(step.only().path), kEngaged / kPitch, 1e-9);
   EXPECT_EQ(plan.steps.back().after, std::vector<std::size_t>{1});
   EXPECT_TRUE(judgePlan(plan, product, std::nullopt, {}).valid()) << "the independent check proves the turn";
 }
@@ -219,9 +219,9 @@ TEST(JointPlan, EitherOfTwoBodiesThatAreScrewedTogetherTurnsOffTheOther) {
     const AssemblyPlan plan = planOf(product, {thread}, staying);
     ASSERT_EQ(plan.steps.size(), 2U) << staying;
     for (const AssemblyStep& step : plan.steps) {
-      const bool opens = step.body != "cover";
-      EXPECT_EQ(step.method == kTurned, opens) << step.body;
-      EXPECT_EQ(step.joints.size(), opens ? 1U : 0U);
+      const bool opens = step.only().body != "cover";
+      EXPECT_EQ(step.only().method == kTurned, opens) << step.only().body;
+      EXPECT_EQ(step.only().joints.size(), opens ? 1U : 0U);
     }
     EXPECT_TRUE(judgePlan(plan, product, std::nullopt, {}).valid());
   }
@@ -243,8 +243,8 @@ TEST(JointPlan, AScrewBelowARoofLeavesAlongTwoLinesAfterItsTurn) {
   const auto plan = planSequence(product, test::fitsOf(product), request, host);
   ASSERT_TRUE(plan.ok());
   ASSERT_FALSE(plan->steps.empty());
-  EXPECT_EQ(plan->steps.front().body, "screw");
-  EXPECT_EQ(plan->steps.front().method, kTurned);
+  EXPECT_EQ(plan->steps.front().only().body, "screw");
+  EXPECT_EQ(plan->steps.front().only().method, kTurned);
   EXPECT_TRUE(judgePlan(*plan, product, std::nullopt, {}).valid());
 }
 
@@ -259,11 +259,11 @@ TEST(JointPlan, AClusterThatNothingJoinsToTheBaseLeavesAsOneAndIsTakenApart) {
   ASSERT_EQ(plan.lines.size(), 1U);
   EXPECT_EQ(plan.lines.front().staying, std::vector<BodyId>{"base"});
   EXPECT_EQ(plan.lines.front().steps.size(), 2U);
-  EXPECT_EQ(plan.lines.front().steps.front().body, "screw");
+  EXPECT_EQ(plan.lines.front().steps.front().only().body, "screw");
 }
 
-/// The bolt turns out of a nut that cannot turn: the tool belongs to the step of the bolt.
-TEST(JointPlan, TheToolBelongsToTheStepThatOpensTheJoint) {
+/// The bolt turns out of a nut that cannot turn: the tool belongs to the motion of the bolt.
+TEST(JointPlan, TheToolBelongsToTheMotionThatOpensTheJoint) {
   const AssembledProduct product =
       test::productOf({partOf("base", test::makeRing(0.0029, 0.03, 0.0049, 48), {0.0, 0.0, -0.0025}),
                        partOf("bolt", headedScrew(), Vector3::Zero()),
@@ -282,16 +282,86 @@ TEST(JointPlan, TheToolBelongsToTheStepThatOpensTheJoint) {
   const auto plan = planSequence(product, test::fitsOf(product), request, host);
   ASSERT_TRUE(plan.ok());
   ASSERT_EQ(test::orderOf(*plan), (std::vector<BodyId>{"bolt", "nut"}));
-  EXPECT_EQ(plan->steps[0].tool.kind, ToolKind::HexKey);
-  EXPECT_EQ(plan->steps[1].tool.kind, ToolKind::None) << "the nut is loose";
+  ASSERT_EQ(plan->steps.size(), 1U) << "the stack is one step";
+  const std::vector<StepMotion>& motions = plan->steps[0].motions;
+  EXPECT_EQ(motions[0].tool.kind, ToolKind::HexKey);
+  EXPECT_EQ(motions[1].tool.kind, ToolKind::None) << "the nut is loose";
+  EXPECT_EQ(plan->steps[0].opening().body, "bolt");
+}
+
+/// Two rings with a bolt and a nut each, beside each other, and a block.
+struct TwoStacks {
+  AssembledProduct product;
+  Joints joints;
+};
+TwoStacks twoStacks() {
+  TwoStacks made;
+  std::vector<RigidBody> bodies;
+  for (const double x : {0.0, 0.1}) {
+    const std::string number = x == 0.0 ? "1" : "2";
+    const std::size_t first = bodies.size();
+    bodies.push_back(partOf("ring" + number, test::makeRing(0.0029, 0.03, 0.0049, 48), {x, 0.0, -0.0025}));
+    bodies.push_back(partOf("bolt" + number, headedScrew(), {x, 0.0, 0.0}));
+    bodies.push_back(partOf("nut" + number, test::makeRing(0.0026, 0.005, 0.004, 36), {x, 0.0, -0.0091}));
+    Joint nut = screwIn(first + 2, {first + 1}, {first});
+    nut.kind = JointKind::Nut;
+    nut.point = {x, 0.0, 0.0};
+    nut.direction = -Vector3::UnitZ();
+    made.joints.push_back(nut);
+  }
+  bodies.push_back(boxBody("block", Vector3::Constant(0.02), Pose::translation({0.2, 0.0, 0.0})));
+  made.product = test::productOf(std::move(bodies));
+  return made;
+}
+
+/// Place 2 is between the stacks, although four motions come before the third step.
+TEST(JointPlan, AStackCountsAsOneStepForTheDemandedPlaces) {
+  const TwoStacks made = twoStacks();
+  test::QuietHost host;
+  for (const char* strategy : {"greedy", "best-first"}) {
+    for (const std::size_t place : {1U, 2U, 3U}) {
+      SequenceRequest request{{true, false, false, true, false, false, false}, strategy};
+      request.joints = &made.joints;
+      request.demands.fasteners = {{"bolt1", "screw"}, {"bolt2", "screw"}, {"nut1", "nut"}, {"nut2", "nut"}};
+      request.demands.tools = {{"bolt1", "hex_key"}, {"bolt2", "hex_key"}, {"nut1", "socket"}, {"nut2", "socket"}};
+      request.demands.places = {{{"block"}, place}};
+      const auto plan = planSequence(made.product, test::fitsOf(made.product), request, host);
+      ASSERT_TRUE(plan.ok());
+      ASSERT_EQ(plan->steps.size(), 3U) << strategy << place;
+      EXPECT_EQ(plan->steps[place - 1].motions.front().body, "block") << strategy << place;
+      EXPECT_TRUE(plan->steps[place - 1].violates.empty());
+      EXPECT_TRUE(judgePlan(*plan, made.product, std::nullopt).valid()) << strategy << place;
+      const AssemblyStep& stack = plan->steps[place == 1 ? 1 : 0];
+      EXPECT_EQ(stack.opening().tool.held, stack.motions[1].body) << "the other side is held";
+      EXPECT_NE(stack.opening().tool.heldWith, ToolKind::None);
+    }
+  }
+}
+
+/// A stack whose place is demanded for its first motion comes there as a whole.
+TEST(JointPlan, AMovedStackComesAtItsPlaceAsAWhole) {
+  const TwoStacks made = twoStacks();
+  test::QuietHost host;
+  SequenceRequest request{{true, false, false, true, false, false, false}};
+  request.joints = &made.joints;
+  request.demands.fasteners = {{"bolt1", "screw"}, {"bolt2", "screw"}, {"nut1", "nut"}, {"nut2", "nut"}};
+  for (const char* nut : {"nut1", "nut2"}) {
+    request.demands.places = {{{nut}, 3}};
+    const auto plan = planSequence(made.product, test::fitsOf(made.product), request, host);
+    ASSERT_TRUE(plan.ok());
+    ASSERT_EQ(plan->steps.size(), 3U);
+    EXPECT_EQ(plan->steps[2].motions.size(), 2U);
+    EXPECT_EQ(plan->steps[2].motions.front().body, BodyId(nut));
+    EXPECT_TRUE(judgePlan(*plan, made.product, std::nullopt).valid());
+  }
 }
 
 TEST(JointPlan, WithoutJointsTheScrewIsPulled) {
   const AssembledProduct product = screwedCover();
   const AssemblyPlan plan = planOf(product, {screwIn(2, {0}, {1})}, "base", JointUse::Off);
   ASSERT_EQ(plan.steps.size(), 2U);
-  for (const AssemblyStep& step : plan.steps) EXPECT_EQ(step.method, "straight");
-  EXPECT_TRUE(plan.steps.front().joints.empty());
+  for (const AssemblyStep& step : plan.steps) EXPECT_EQ(step.only().method, "straight");
+  EXPECT_TRUE(plan.steps.front().only().joints.empty());
 }
 
 TEST(JointPlan, WhatIsInTheWayOfATurnIsNamedAndNothingIsPulled) {
@@ -334,9 +404,9 @@ TEST(JointPlan, AFlexibleBodyLeavesWithoutAProofBeforeWhatItGoesAround) {
   EXPECT_TRUE(held.end == PlanEnd::Stuck || held.steps.size() == 1U) << "the links hold each other";
   const AssemblyPlan plan = planOf(product, {belt}, "block");
   ASSERT_EQ(test::orderOf(plan), (std::vector<BodyId>{"one", "other"}));
-  EXPECT_FALSE(plan.steps.front().certified);
-  EXPECT_EQ(plan.steps.front().method, kFlexible);
-  EXPECT_TRUE(plan.steps.back().certified) << "nothing else loses its proof";
+  EXPECT_FALSE(plan.steps.front().only().certified);
+  EXPECT_EQ(plan.steps.front().only().method, kFlexible);
+  EXPECT_TRUE(plan.steps.back().only().certified) << "nothing else loses its proof";
   EXPECT_EQ(plan.steps.back().after, std::vector<std::size_t>{1});
   EXPECT_EQ(plan.removedWithoutProof(), 1U);
   EXPECT_EQ(plan.end, PlanEnd::Complete);

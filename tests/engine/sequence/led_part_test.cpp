@@ -14,11 +14,11 @@ class LedPartTest : public testing::Test {
  protected:
   static Pose place(double x, double z) { return Pose::translation({x, 0.0, z}); }
   static LedPart make() {
-    AssemblyStep step;
-    for (const Pose& q : {place(0.0, 0.0), place(0.0, 2.0), place(1.0, 2.0)}) step.path.push_back({q});
+    StepMotion motion;
+    for (const Pose& q : {place(0.0, 0.0), place(0.0, 2.0), place(1.0, 2.0)}) motion.path.push_back({q});
     RigidBody body;
     body.mesh = std::make_shared<const TriangleMesh>(makeBox(Vector3::Constant(0.1)));
-    return LedPart(StepWay(step, body), Pose::identity());
+    return LedPart(StepWay(motion, body), Pose::identity());
   }
   Vector3 position() const { return part_.X_WB().position; }
 

@@ -105,14 +105,14 @@ TEST(MotionTrial, MotionsHoldForEverySubset) {
   const AssemblyPlan plan = test::planOf(product, "cabinet");
   BodySet present(4, true);
   for (const AssemblyStep& step : plan.steps) {
-    const std::size_t body = bodyNamed(product, step.body);
+    const std::size_t body = bodyNamed(product, step.only().body);
     present[body] = false;
     for (unsigned mask = 0; mask < 16; ++mask) {
       BodySet subset = present;
       for (std::size_t other = 0; other < 4; ++other) subset[other] = subset[other] && (mask >> other & 1U) != 0;
       const auto motion = worlds.world({body}, subset);
-      const auto certificate = certifyPath(*motion.world->makeQuery(), step.path, worlds.parameters({body}));
-      EXPECT_EQ(certificate.status, CertificateStatus::Certified) << step.body << ", bodies " << mask;
+      const auto certificate = certifyPath(*motion.world->makeQuery(), step.only().path, worlds.parameters({body}));
+      EXPECT_EQ(certificate.status, CertificateStatus::Certified) << step.only().body << ", bodies " << mask;
     }
   }
 }
@@ -168,11 +168,11 @@ TEST(MotionTrial, AGroupLeavesWhereNoneOfItsBodiesDoes) {
   EXPECT_EQ(plan.steps[0].bodies(), std::vector<BodyId>{"lamp"});
   EXPECT_EQ(plan.steps[1].bodies(), (std::vector<BodyId>{"slot", "tongue"}));
   EXPECT_EQ(plan.removed(), 3U);
-  EXPECT_GT(plan.steps[1].path.back().q.position.z(), plan.steps[1].path.front().q.position.z() + 0.5);
+  EXPECT_GT(plan.steps[1].only().path.back().q.position.z(), plan.steps[1].only().path.front().q.position.z() + 0.5);
   const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt);
   for (const check::StepVerdict& step : verdict.steps) EXPECT_TRUE(step.valid()) << step.bodies.front();
   AssemblyPlan alone = plan;
-  alone.steps[1].with.clear();
+  alone.steps[1].only().with.clear();
   const check::PlanVerdict refused = judgePlan(alone, product, std::nullopt);
   EXPECT_FALSE(refused.steps[1].valid()) << "the slot does not leave without the tongue";
 }
@@ -189,7 +189,7 @@ TEST(MotionTrial, WhatAPersonWantsTogetherLeavesAsOne) {
       {product, staying, 1, trial, nullptr, {{both}, {}}}, host);
   ASSERT_EQ(plan.steps.size(), 2U);
   EXPECT_EQ(plan.steps[0].bodies(), (std::vector<BodyId>{"pin", "cap"}));
-  EXPECT_EQ(plan.steps[1].body, "drawer");
+  EXPECT_EQ(plan.steps[1].only().body, "drawer");
   EXPECT_EQ(plan.steps[1].after, std::vector<std::size_t>{1});
 }
 

@@ -95,5 +95,20 @@ TEST(OrderSearch, MovesRunsOfStepsToWhereTheyCostLess) {
   EXPECT_TRUE(keeps(order, question));
 }
 
+/// Steps 0 and 3 count as one where they follow each other, and so do 1 and 4. Step 2 is to be number 3.
+TEST(OrderSearch, KeepsTheNumberOfAStepAsItIsCounted) {
+  OrderQuestion question;
+  question.after.resize(5);
+  question.continues = [](std::size_t step, std::size_t before) { return step == before + 3; };
+  question.cost = [&](std::size_t step, const std::size_t* last, const std::vector<bool>&) {
+    return last != nullptr && question.continues(step, *last) ? 0.0 : 1.0;
+  };
+  question.numbers = {0, 0, 3, 0, 0};
+  const std::vector<std::size_t> order = cheapestOrder(question, {});
+  EXPECT_EQ(order, (std::vector<std::size_t>{0, 3, 1, 4, 2})) << "after two of them, and not after two steps";
+  question.numbers = {0, 0, 1, 0, 0};
+  EXPECT_EQ(cheapestOrder(question, {}), (std::vector<std::size_t>{2, 0, 3, 1, 4}));
+}
+
 }  // namespace
 }  // namespace glissade

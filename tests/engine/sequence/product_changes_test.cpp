@@ -76,16 +76,16 @@ TEST(CarriedPlan, StepsThatStillHoldAreJudgedValid) {
 TEST(CarriedPlan, StepsOfBodiesThatWentAreLeftOut) {
   const AssembledProduct before = test::lockedDrawer();
   AssemblyPlan plan = test::planOf(before, "cabinet");
-  ASSERT_EQ(plan.steps[2].body, "drawer");
+  ASSERT_EQ(plan.steps[2].only().body, "drawer");
   plan.steps[2].after = {1, 2};
-  plan.steps[2].falling = {"cap"};
+  plan.steps[2].only().falling = {"cap"};
   AssembledProduct now = before;
   now.bodies.pop_back();
   const CarriedPlan carried = carriedTo(now, plan);
   EXPECT_EQ(test::orderOf(carried.plan), (std::vector<BodyId>{"pin", "drawer"}));
   EXPECT_EQ(carried.from, (std::vector<std::size_t>{1, 2}));
   EXPECT_EQ(carried.plan.steps[1].after, std::vector<std::size_t>{1});
-  EXPECT_TRUE(carried.plan.steps[1].falling.empty());
+  EXPECT_TRUE(carried.plan.steps[1].only().falling.empty());
   EXPECT_EQ(carried.plan.bodies.size(), 3U);
   for (const check::StepVerdict& step : judgePlan(carried.plan, now, std::nullopt).steps) EXPECT_TRUE(step.valid());
 }

@@ -56,8 +56,8 @@ TEST(ProductFits, APlanWithFitsIsJudgedValidAndStatesThem) {
   const AssembledProduct product = boltAndNut();
   const AssemblyPlan plan = test::planOf(product, "bolt");
   ASSERT_EQ(test::orderOf(plan), (std::vector<BodyId>{"nut", "washer"}));
-  EXPECT_EQ(plan.steps[0].allowances.size(), 2U);
-  EXPECT_EQ(plan.steps[1].allowances.size(), 1U);
+  EXPECT_EQ(plan.steps[0].only().allowances.size(), 2U);
+  EXPECT_EQ(plan.steps[1].only().allowances.size(), 1U);
   const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt);
   for (const check::StepVerdict& step : verdict.steps) {
     EXPECT_TRUE(step.valid()) << toString(whyInvalid(step, judgedProduct(product)));
@@ -82,8 +82,8 @@ TEST(ProductFits, WhereABodyHasNoPlaceForAnAllowanceTheOtherOneIsTakenThinner) {
   EXPECT_TRUE(fits.warnings().empty());
   const AssemblyPlan plan = test::planOf(product, "bolt");
   ASSERT_EQ(test::orderOf(plan), std::vector<BodyId>{"nut"});
-  ASSERT_EQ(plan.steps[0].allowances.size(), 1U);
-  EXPECT_FALSE(plan.steps[0].allowances[0].yields);
+  ASSERT_EQ(plan.steps[0].only().allowances.size(), 1U);
+  EXPECT_FALSE(plan.steps[0].only().allowances[0].yields);
   const check::StepVerdict step = judgePlan(plan, product, std::nullopt).steps[0];
   EXPECT_TRUE(step.valid()) << toString(whyInvalid(step, judgedProduct(product)));
 }

@@ -119,9 +119,12 @@ inline AssemblyPlan planOf(const AssembledProduct& product, const BodyId& stayin
   return makeSequenceStrategyRegistry().find(strategy)->make()->plan({product, stay, 1, trial, resumed}, host);
 }
 
+/// The first body of each motion.
 inline std::vector<BodyId> orderOf(const AssemblyPlan& plan) {
   std::vector<BodyId> order;
-  for (const AssemblyStep& step : plan.steps) order.push_back(step.body);
+  for (const AssemblyStep& step : plan.steps) {
+    for (const StepMotion& motion : step.motions) order.push_back(motion.body);
+  }
   return order;
 }
 

@@ -60,7 +60,7 @@ TEST(ScrewHolePlan, AScrewWithANameTurnsOutOfASolidBodyAndTheJudgeAgrees) {
   const AssembledProduct product = cappedMotor("DIN 912 M4x10");
   const AssemblyPlan plan = planOf(product);
   ASSERT_EQ(orderOf(plan), (std::vector<BodyId>{"DIN 912 M4x10", "cap"}));
-  EXPECT_EQ(plan.steps[0].method, kTurned);
+  EXPECT_EQ(plan.steps[0].only().method, kTurned);
   const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt, {});
   EXPECT_TRUE(verdict.valid());
   EXPECT_TRUE(std::any_of(verdict.steps[0].allowances.begin(), verdict.steps[0].allowances.end(),
@@ -71,7 +71,7 @@ TEST(ScrewHolePlan, TheJudgeLetsNobodyPullIt) {
   const AssembledProduct product = cappedMotor("DIN 912 M4x10");
   AssemblyPlan plan = planOf(product);
   ASSERT_EQ(plan.steps.size(), 2U);
-  std::vector<PathPoint>& path = plan.steps[0].path;
+  std::vector<PathPoint>& path = plan.steps[0].only().path;
   path = {path.front(), path.back()};
   path.back().q.orientation = path.front().q.orientation;
   const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt, {});
@@ -123,11 +123,11 @@ TEST(ScrewHolePlan, AScrewFormsItsThreadInTheRibsOfASlot) {
   const AssembledProduct product = cappedProfile("black screw");
   AssemblyPlan plan = planOf(product);
   ASSERT_EQ(orderOf(plan), (std::vector<BodyId>{"black screw", "cap"}));
-  EXPECT_EQ(plan.steps[0].method, kTurned);
+  EXPECT_EQ(plan.steps[0].only().method, kTurned);
   EXPECT_TRUE(formsThread(product));
   const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt, {});
   EXPECT_TRUE(verdict.valid());
-  std::vector<PathPoint>& path = plan.steps[0].path;
+  std::vector<PathPoint>& path = plan.steps[0].only().path;
   path = {path.front(), path.back()};
   path.back().q.orientation = path.front().q.orientation;
   EXPECT_FALSE(judgePlan(plan, product, std::nullopt, {}).steps[0].refusals.empty()) << "pulled without a turn";

@@ -28,8 +28,8 @@ TEST_P(SequenceStrategies, EveryStepIsCertifiedForWhatIsThere) {
   ASSERT_EQ(verdict.steps.size(), plan.steps.size());
   for (std::size_t i = 0; i < verdict.steps.size(); ++i) {
     EXPECT_TRUE(verdict.steps[i].valid()) << toString(whyInvalid(verdict.steps[i], judgedProduct(product)));
-    EXPECT_LE(plan.steps[i].proof.afterSteps, i);
-    EXPECT_GE(plan.steps[i].proof.provedClearance, plan.steps[i].proof.required);
+    EXPECT_LE(plan.steps[i].only().proof.afterSteps, i);
+    EXPECT_GE(plan.steps[i].only().proof.provedClearance, plan.steps[i].only().proof.required);
   }
 }
 
@@ -49,8 +49,8 @@ TEST_P(SequenceStrategies, ThreadsDoNotChangeThePlan) {
     const AssemblyPlan two = test::planOf(product, staying, 2, GetParam());
     ASSERT_EQ(test::orderOf(one), test::orderOf(two));
     for (std::size_t i = 0; i < one.steps.size(); ++i) {
-      EXPECT_EQ(one.steps[i].method, two.steps[i].method);
-      EXPECT_EQ(configurationsOf(one.steps[i].path), configurationsOf(two.steps[i].path));
+      EXPECT_EQ(one.steps[i].only().method, two.steps[i].only().method);
+      EXPECT_EQ(configurationsOf(one.steps[i].only().path), configurationsOf(two.steps[i].only().path));
     }
   }
 }

@@ -130,8 +130,8 @@ TEST(SnapPlans, ABendCountsOnlyWhereAPersonConfirmsIt) {
   EXPECT_TRUE(planOf(product, found, JointUse::Recognised).steps.empty());
   const AssemblyPlan plan = planOf(product, found, JointUse::Suggested);
   ASSERT_EQ(plan.steps.size(), 1U);
-  ASSERT_EQ(plan.steps[0].joints.size(), 1U);
-  EXPECT_EQ(plan.steps[0].joints[0].bend, found[0].bend);
+  ASSERT_EQ(plan.steps[0].only().joints.size(), 1U);
+  EXPECT_EQ(plan.steps[0].only().joints[0].bend, found[0].bend);
   EXPECT_TRUE(isValid(plan, product));
 }
 
@@ -171,7 +171,7 @@ TEST(SnapPlans, AHookBendsOnTheWayThatThePersonSaysOnly) {
   const AssemblyPlan plan = planOf(product, findJoints(product), JointUse::Suggested);
   ASSERT_EQ(plan.steps.size(), 1U);
   AssemblyPlan aside = plan;
-  std::vector<PathPoint>& path = aside.steps[0].path;
+  std::vector<PathPoint>& path = aside.steps[0].only().path;
   ASSERT_EQ(path.size(), 2U);
   const Vector3 off(1e-6, 0.0, 0.0);
   PathPoint between = path.front();
@@ -180,7 +180,7 @@ TEST(SnapPlans, AHookBendsOnTheWayThatThePersonSaysOnly) {
   path.insert(path.begin() + 1, between);
   EXPECT_FALSE(isValid(aside, product));
   aside = plan;
-  aside.steps[0].path.back().q.orientation = fromRollPitchYaw(0.0, 0.0, 0.3);
+  aside.steps[0].only().path.back().q.orientation = fromRollPitchYaw(0.0, 0.0, 0.3);
   EXPECT_FALSE(isValid(aside, product)) << "it turns";
 }
 
@@ -189,7 +189,7 @@ TEST(SnapPlans, AHookDoesNotBendOnTheWayBackIn) {
   const AssembledProduct product = cappedHole(0.0004);
   AssemblyPlan plan = planOf(product, findJoints(product), JointUse::Suggested);
   ASSERT_EQ(plan.steps.size(), 1U);
-  std::vector<PathPoint>& path = plan.steps[0].path;
+  std::vector<PathPoint>& path = plan.steps[0].only().path;
   ASSERT_EQ(path.size(), 2U);
   const std::vector<PathPoint> once = path;
   path.insert(path.end(), once.begin(), once.end());

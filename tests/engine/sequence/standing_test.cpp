@@ -56,15 +56,15 @@ TEST(Standing, StepsAfterWhichBodiesFallAreAvoidedOrMarked) {
   question.standing = &beam.standing;
   const AssemblyPlan plan = greedy->plan(question, host);
   ASSERT_EQ(plan.steps.size(), 4U);
-  EXPECT_EQ(plan.steps[0].body, "weight");
-  EXPECT_EQ(plan.steps[1].body, "beam");
-  for (const AssemblyStep& step : plan.steps) EXPECT_TRUE(step.falling.empty()) << step.body;
+  EXPECT_EQ(plan.steps[0].only().body, "weight");
+  EXPECT_EQ(plan.steps[1].only().body, "beam");
+  for (const AssemblyStep& step : plan.steps) EXPECT_TRUE(step.only().falling.empty()) << step.only().body;
   // A person demands that a post leaves first: the beam has to be held.
   question.rules.before = {{2, 3, true}, {2, 4, true}, {2, 1, true}};
   const AssemblyPlan forced = greedy->plan(question, host);
   ASSERT_EQ(forced.steps.size(), 4U);
-  EXPECT_EQ(forced.steps[0].body, "right");
-  EXPECT_EQ(forced.steps[0].falling, std::vector<BodyId>{"beam"});
+  EXPECT_EQ(forced.steps[0].only().body, "right");
+  EXPECT_EQ(forced.steps[0].only().falling, std::vector<BodyId>{"beam"});
 }
 
 /// The search is interrupted after each wave: waiting motions are not searched again, and the plan is the same.
@@ -86,8 +86,8 @@ TEST(Standing, WhatWaitsIsKeptInAPlanThatIsCut) {
     const AssemblyPlan resumed = planned(&cut, 1000);
     ASSERT_EQ(test::orderOf(resumed), test::orderOf(whole));
     for (std::size_t i = 0; i < whole.steps.size(); ++i) {
-      EXPECT_EQ(resumed.steps[i].proof.afterSteps, whole.steps[i].proof.afterSteps);
-      EXPECT_EQ(configurationsOf(resumed.steps[i].path), configurationsOf(whole.steps[i].path));
+      EXPECT_EQ(resumed.steps[i].only().proof.afterSteps, whole.steps[i].only().proof.afterSteps);
+      EXPECT_EQ(configurationsOf(resumed.steps[i].only().path), configurationsOf(whole.steps[i].only().path));
     }
   }
   EXPECT_TRUE(waited) << "the posts wait for the beam";

@@ -25,10 +25,10 @@ AssemblyPlan planWithUnit() {
   AssemblyPlan plan;
   plan.bodies = {"ring", "shaft", "box"};
   plan.staying = {"box"};
-  AssemblyStep step;
-  step.body = "ring";
-  step.with = {"shaft"};
-  step.unit = true;
+  AssemblyStep step{{StepMotion()}};
+  step.only().body = "ring";
+  step.only().with = {"shaft"};
+  step.only().unit = true;
   plan.steps.push_back(step);
   return plan;
 }

@@ -21,7 +21,7 @@ AssembledProduct neighbours() {
 
 std::vector<BodyId> allowedAgainst(const AssemblyStep& step) {
   std::vector<BodyId> bodies;
-  for (const Allowance& each : step.allowances) bodies.push_back(each.body);
+  for (const Allowance& each : step.only().allowances) bodies.push_back(each.body);
   std::sort(bodies.begin(), bodies.end());
   bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
   return bodies;
@@ -37,8 +37,9 @@ AssemblyPlan planWith(const AssembledProduct& product, const OrderRules& rules) 
   for (const BodyId& id : std::vector<BodyId>{"one", "two"}) {
     const BodyGroup group{product.indexOf(id)};
     const RemovalAnswer answer = trial.tryRemoval(group, question.initial(), 0, {});
-    plan.steps.push_back(makeStep(group, std::get<Removed>(answer), question, question.initial(), plan.steps.size()));
-    plan.steps.back().wave = plan.steps.size();
+    const std::size_t before = plan.steps.size();
+    plan.steps.push_back(
+        {{makeMotion(group, std::get<Removed>(answer), question, question.initial(), before)}, before + 1});
   }
   addPrecedence(plan, question, host);
   return plan;

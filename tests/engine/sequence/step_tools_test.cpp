@@ -39,8 +39,9 @@ AssemblyPlan planWith(const AssembledProduct& product, const SequenceDemands& de
   return std::move(*plan);
 }
 
-const AssemblyStep& stepOf(const AssemblyPlan& plan, const BodyId& body) {
-  return *std::find_if(plan.steps.begin(), plan.steps.end(), [&](const auto& step) { return step.body == body; });
+const StepTool& toolIn(const AssemblyPlan& plan, const BodyId& body) {
+  const auto isOfBody = [&](const AssemblyStep& step) { return step.only().body == body; };
+  return std::find_if(plan.steps.begin(), plan.steps.end(), isOfBody)->only().tool;
 }
 
 TEST(StepTools, AHandleIsBlockedWhileATubeIsAboutTheHead) {
@@ -49,15 +50,15 @@ TEST(StepTools, AHandleIsBlockedWhileATubeIsAboutTheHead) {
   const AssembledProduct product = screwInTube();
   const AssemblyPlan blocked = planWith(product, screwFirst);
   ASSERT_EQ(blocked.steps.size(), 2U);
-  const StepTool& tool = stepOf(blocked, "screw").tool;
+  const StepTool& tool = toolIn(blocked, "screw");
   EXPECT_EQ(tool.kind, ToolKind::HexKey) << "the head is as high as a socket head";
   EXPECT_EQ(tool.access, ToolAccess::Blocked);
   EXPECT_EQ(tool.blockedBy, std::vector<BodyId>{"tube"});
   SequenceDemands tubeFirst;
   tubeFirst.before = {{"tube", "screw"}};
   const AssemblyPlan open = planWith(product, tubeFirst);
-  EXPECT_EQ(stepOf(open, "screw").tool.access, ToolAccess::Free);
-  EXPECT_EQ(stepOf(open, "tube").tool.kind, ToolKind::None);
+  EXPECT_EQ(toolIn(open, "screw").access, ToolAccess::Free);
+  EXPECT_EQ(toolIn(open, "tube").kind, ToolKind::None);
 }
 
 TEST(StepTools, WhatABodyNeedsIsAsked) {
@@ -66,14 +67,14 @@ TEST(StepTools, WhatABodyNeedsIsAsked) {
     SequenceDemands demands;
     demands.before = {{"screw", "tube"}};
     demands.tools = {{"screw", name}};
-    return stepOf(planWith(product, demands), "screw").tool;
+    return toolIn(planWith(product, demands), "screw");
   };
   EXPECT_EQ(toolOf("screwdriver").access, ToolAccess::Free) << "it has no handle to the side";
   EXPECT_EQ(toolOf("open_wrench").access, ToolAccess::Blocked);
   SequenceDemands tubeFirst;
   tubeFirst.before = {{"tube", "screw"}};
   tubeFirst.tools = {{"screw", "open_wrench"}};
-  EXPECT_EQ(stepOf(planWith(product, tubeFirst), "screw").tool.access, ToolAccess::Free);
+  EXPECT_EQ(toolIn(planWith(product, tubeFirst), "screw").access, ToolAccess::Free);
   EXPECT_EQ(toolOf("none").kind, ToolKind::None);
 }
 

@@ -9,9 +9,9 @@ namespace {
 
 AssemblyStep stepAlong(const AssembledProduct& product, const BodyId& body, const Vector3& direction) {
   const Pose& start = product.bodies[product.indexOf(body)].X_WB;
-  AssemblyStep step;
-  step.body = body;
-  step.path = {{start, Author::Computer}, {{start.position + direction, start.orientation}, Author::Computer}};
+  AssemblyStep step{{StepMotion()}};
+  step.only().body = body;
+  step.only().path = {{start, Author::Computer}, {{start.position + direction, start.orientation}, Author::Computer}};
   return step;
 }
 

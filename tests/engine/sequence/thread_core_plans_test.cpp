@@ -52,11 +52,11 @@ class ThreadCorePlan : public testing::Test {
  protected:
   void SetUp() override {
     ASSERT_EQ(plan.steps.size(), 1U);
-    ASSERT_EQ(plan.steps[0].allowances.size(), 1U);
+    ASSERT_EQ(plan.steps[0].only().allowances.size(), 1U);
     ASSERT_TRUE(allowance().core);
   }
-  Allowance& allowance() { return plan.steps[0].allowances[0]; }
-  std::vector<PathPoint>& path() { return plan.steps[0].path; }
+  Allowance& allowance() { return plan.steps[0].only().allowances[0]; }
+  std::vector<PathPoint>& path() { return plan.steps[0].only().path; }
 
   AssembledProduct product = screwInNut();
   AssemblyPlan plan = goodPlan();
@@ -91,21 +91,21 @@ TEST(SelfTappingScrew, IsTurnedOutAndTheJudgeRefusesThePull) {
   auto plan = planSequence(product, test::fitsOf(product), SequenceRequest{BodySet{false, true}}, host);
   ASSERT_TRUE(plan.ok());
   ASSERT_EQ(plan->steps.size(), 1U);
-  EXPECT_EQ(plan->steps[0].method, kTurned);
-  ASSERT_EQ(plan->steps[0].allowances.size(), 1U);
-  EXPECT_TRUE(plan->steps[0].allowances[0].core);
-  EXPECT_NEAR(plan->steps[0].allowances[0].pitch, 0.00085, 0.01 * 0.00085);
+  EXPECT_EQ(plan->steps[0].only().method, kTurned);
+  ASSERT_EQ(plan->steps[0].only().allowances.size(), 1U);
+  EXPECT_TRUE(plan->steps[0].only().allowances[0].core);
+  EXPECT_NEAR(plan->steps[0].only().allowances[0].pitch, 0.00085, 0.01 * 0.00085);
   EXPECT_TRUE(isConfirmed(*plan, product));
   // The judge refuses the claim of a left-handed thread, and a straight pull.
   AssemblyPlan leftHanded = *plan;
-  leftHanded.steps[0].allowances[0].core->pitch *= -1.0;
-  leftHanded.steps[0].allowances[0].pitch *= -1.0;
+  leftHanded.steps[0].only().allowances[0].core->pitch *= -1.0;
+  leftHanded.steps[0].only().allowances[0].pitch *= -1.0;
   EXPECT_FALSE(isConfirmed(leftHanded, product));
-  const Quaternion before = plan->steps[0].path.front().q.orientation;
-  for (PathPoint& point : plan->steps[0].path) point.q.orientation = before;
+  const Quaternion before = plan->steps[0].only().path.front().q.orientation;
+  for (PathPoint& point : plan->steps[0].only().path) point.q.orientation = before;
   EXPECT_FALSE(isConfirmed(*plan, product));
   // The hole that is taken wider instead lets no thread be pulled either.
-  Allowance& wider = plan->steps[0].allowances[0];
+  Allowance& wider = plan->steps[0].only().allowances[0];
   wider.core.reset();
   wider.yields = true;
   wider.kind = ContactKind::Overlap;
@@ -126,7 +126,7 @@ TEST(ThreadCoreFits, WithoutAHelixNoThreadIsTakenAway) {
 }
 
 TEST_F(ThreadCorePlan, TheNutIsTurnedOffAndTheJudgeConfirmsIt) {
-  EXPECT_EQ(plan.steps[0].method, kTurned);
+  EXPECT_EQ(plan.steps[0].only().method, kTurned);
   EXPECT_TRUE(isConfirmed(plan, product));
 }
 

@@ -15,9 +15,9 @@ RigidBody cube(const BodyId& id, double edge) {
 }
 
 AssemblyStep stepOf(const BodyId& body) {
-  AssemblyStep step;
-  step.body = body;
-  step.path.resize(2);
+  AssemblyStep step{{StepMotion()}};
+  step.only().body = body;
+  step.only().path.resize(2);
   return step;
 }
 
@@ -44,33 +44,33 @@ TEST_F(WorkTimesTest, FetchBySizeAndWeight) {
 
 TEST_F(WorkTimesTest, PlaceByTheWay) {
   AssemblyStep step = stepOf("part");
-  step.allowances.emplace_back().body = "wide";
+  step.only().allowances.emplace_back().body = "wide";
   EXPECT_DOUBLE_EQ(totalOf(step), times.fetch + times.placeAligned);
-  step.path.resize(3);
+  step.only().path.resize(3);
   EXPECT_DOUBLE_EQ(totalOf(step), times.fetch + times.placeLed);
 }
 
 TEST_F(WorkTimesTest, JointsTakeTheirTime) {
   AssemblyStep screw = stepOf("part");
-  screw.joints.push_back({JointKind::Screw, "part"});
-  screw.joints[0].turns = 9.5;
+  screw.only().joints.push_back({JointKind::Screw, "part"});
+  screw.only().joints[0].turns = 9.5;
   EXPECT_DOUBLE_EQ(totalOf(screw), times.fetch + times.place + times.startThread + 9.5 * times.turnByHand);
-  screw.tool.kind = ToolKind::HexKey;
+  screw.only().tool.kind = ToolKind::HexKey;
   EXPECT_DOUBLE_EQ(totalOf(screw), times.fetch + times.place + times.startThread + 9.5 * times.turn + times.toolChange);
   AssemblyStep insert = stepOf("part");
-  insert.joints.push_back({JointKind::Insert, "part"});
+  insert.only().joints.push_back({JointKind::Insert, "part"});
   EXPECT_DOUBLE_EQ(totalOf(insert), times.fetch + times.press);
   AssemblyStep belt = stepOf("part");
-  belt.joints.push_back({JointKind::Flexible, "part"});
+  belt.only().joints.push_back({JointKind::Flexible, "part"});
   EXPECT_DOUBLE_EQ(totalOf(belt), times.fetch + times.lay);
 }
 
 /// Steps are removals; in assembly the last one is the first.
 TEST_F(WorkTimesTest, AToolIsTakenOnceForStepsThatFollowEachOther) {
   for (int i = 0; i < 3; ++i) plan.steps.push_back(stepOf("part"));
-  plan.steps[2].tool.kind = plan.steps[1].tool.kind = ToolKind::HexKey;
-  plan.steps[0].tool.kind = ToolKind::Socket;
-  plan.steps[0].falling = {"tiny", "wide"};
+  plan.steps[2].only().tool.kind = plan.steps[1].only().tool.kind = ToolKind::HexKey;
+  plan.steps[0].only().tool.kind = ToolKind::Socket;
+  plan.steps[0].only().falling = {"tiny", "wide"};
   const auto all = stepTimes(plan, product, times);
   EXPECT_DOUBLE_EQ(all[2].tool, times.toolChange);
   EXPECT_DOUBLE_EQ(all[1].tool, 0.0);

@@ -248,7 +248,7 @@ TEST_F(HeadsetHandsAtAStep, ItIsMovedByHandAndItsPathBecomesTheMotionOfTheStep) 
 TEST_F(HeadsetHandsAtAStep, TheInstructionIsCarriedOutByHand) {
   bench().actions["sequence.show-product"]->trigger();
   const RoomPlacement placed = room();
-  const std::vector<PathPoint> way = bench().document.plan()->steps.front().path;
+  const std::vector<PathPoint> way = bench().document.plan()->steps.front().only().path;
   const Pose X_WG = way.back().q;
   ScriptedHand hand(kRight, placed, X_WG);
   ASSERT_TRUE(until([this] { return bench().session.hand()->rightController.place.reading().X_WG.has_value(); }));

@@ -139,7 +139,7 @@ class InstructionWalkTest : public HeadsetToolsTest {
   bool holds() { return right().place.feedback().holds; }
   /// Grips the part of the step at the start of its motion, and leads it back.
   void assemble(const AssemblyStep& step) {
-    const auto& way = step.path;
+    const auto& way = step.only().path;
     hold(way.back().q, 0.0);
     hold(way.back().q, 1.0);
     EXPECT_TRUE(until([this] { return holds(); }));
@@ -167,10 +167,10 @@ TEST_F(InstructionWalkTest, EachPartIsLedAlongItsMotionUntilTheProductIsAssemble
 TEST_F(InstructionWalkTest, APartThatIsLetGoStaysAndTheObjectOfTheScenarioIsNotTaken) {
   const Pose object = bench().session.snapshot()->device.q_device;
   const AssemblyStep& step = plan().steps.back();
-  hold(step.path.back().q, 0.0);
-  hold(step.path.back().q, 1.0);
+  hold(step.only().path.back().q, 0.0);
+  hold(step.only().path.back().q, 1.0);
   ASSERT_TRUE(until([this] { return holds(); }));
-  hold(step.path.back().q, 0.0);
+  hold(step.only().path.back().q, 0.0);
   EXPECT_FALSE(holds());
   hold(object, 0.0);
   hold(object, 1.0);

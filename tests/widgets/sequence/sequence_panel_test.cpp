@@ -20,14 +20,15 @@ class SequencePanelTest : public ::testing::Test {
     for (const RigidBody& body : product->bodies) plan->bodies.push_back(body.id);
     plan->staying = {"cabinet"};
     for (const char* id : {"cap", "pin"}) {
-      AssemblyStep step;
-      step.body = BodyId(id);
-      step.path = {{Pose::identity(), Author::Computer}, {Pose::translation({0.0, 0.0, 1.0}), Author::Computer}};
+      AssemblyStep step{{StepMotion()}};
+      step.only().body = BodyId(id);
+      step.only().path = {{Pose::identity(), Author::Computer}, {Pose::translation({0.0, 0.0, 1.0}), Author::Computer}};
       plan->steps.push_back(step);
     }
     plan->stuck = {{"drawer", {"cabinet"}, Message("no motion was found, alone or with others")}};
     plan->end = PlanEnd::Stuck;
-    shown = {product, plan, false, {0.5, std::nullopt}, {{StepCheck::Agrees, StepCheck::Disagrees}, {}}};
+    shown = {
+        product, plan, false, {{plan->steps[0].only().body, 0.5}}, {{StepCheck::Agrees, StepCheck::Disagrees}, {}}};
     panel.setOrder(PlanOrder::Removal);
     panel.setPlan(shown);
   }
@@ -144,7 +145,7 @@ TEST_F(SequencePanelTest, KeysOfACommandThatIsOffDoNothing) {
 TEST_F(SequencePanelTest, ARowSaysWhatAPersonHasDoneAndWhatIsForced) {
   auto plan = std::make_shared<AssemblyPlan>(*shown.plan);
   plan->demands.places = {{{"cap"}, 1, true}};
-  plan->steps[1].method = kByHand;
+  plan->steps[1].only().method = kByHand;
   plan->steps[1].violates = {{StepViolation::Rule::Fastener, {"cap"}}};
   shown.plan = plan;
   panel.setAtOnce(true);

@@ -120,9 +120,9 @@ TEST_F(SequenceWindow, WordsOfAPlanThatIsOpenedAreConditions) {
       QStringLiteral("plan-sequence all\nexpect-sequence conditions 0\nexport-sequence %1\n").arg(file("plan.json"))));
   nlohmann::json plan = nlohmann::json::parse(content("plan.json").toStdString());
   plan.erase("checksum");
-  nlohmann::json& step = plan["steps"][0];
-  step["certificate"]["status"] = "not_certified";
-  step["joints"] = {{{"kind", "flexible"}, {"body", step["bodies"][0]}, {"others", nlohmann::json::array()}}};
+  nlohmann::json& motion = plan["steps"][0]["motions"][0];
+  motion["certificate"]["status"] = "not_certified";
+  motion["joints"] = {{{"kind", "flexible"}, {"body", motion["bodies"][0]}, {"others", nlohmann::json::array()}}};
   plan["certified"] = false;
   std::ofstream(file("words.json").toStdString()) << plan;
   expectGood(runOnStand(QStringLiteral("open-sequence %1\nexpect-sequence conditions 1\n").arg(file("words.json"))));

@@ -10,15 +10,22 @@
 namespace glissade::api {
 
 /// The removal of one body, or of several that move as one.
-struct Step {
-  std::vector<std::string> bodies{};  ///< ids of the bodies that leave; the first one names the step
+struct Motion {
+  std::vector<std::string> bodies{};  ///< ids of the bodies that leave
   std::string method{};               ///< how the motion was found, such as "straight"
-  /// Poses of the first body's frame, or of the group's. Each body of the step has X_WB = X(t) X(0)^-1 X_WB(assembled).
+  /// Poses of the first body's frame, or of the group's. Each body of the motion has X_WB = X(t) X(0)^-1
+  /// X_WB(assembled).
   std::vector<Pose> path{};
-  bool certified = true;             ///< false for a flexible body, whose motion is not proved
-  double minClearance = 0.0;         ///< smallest clearance that was met, metres; infinite where no body was there
-  std::string nearest{};             ///< id of the body at the smallest clearance; empty: none
-  std::vector<std::size_t> after{};  ///< numbers, from 1, of the steps that have to come before
+  bool certified = true;      ///< false for a flexible body, whose motion is not proved
+  double minClearance = 0.0;  ///< smallest clearance that was met, metres; infinite where no body was there
+  std::string nearest{};      ///< id of the body at the smallest clearance; empty: none
+};
+
+/// Motions that are carried out one after the other, such as those of nut, washer and bolt.
+struct Step {
+  std::vector<std::string> bodies{};  ///< ids of the bodies that leave
+  std::vector<Motion> motions{};      ///< one or more, in the order of removal
+  std::vector<std::size_t> after{};   ///< numbers, from 1, of the steps that have to come before
 };
 
 /// A body that no removal was found for.
@@ -52,7 +59,7 @@ class GLISSADE_EXPORT AssemblyPlan {
   std::vector<std::string> staying() const;
   /// Bodies that should leave and do not.
   std::vector<StuckBody> stuck() const;
-  /// The document of a plan file (resources/schema/plan-1.schema.json), without checksum. `product`: the file of the
+  /// The document of a plan file (resources/schema/plan-2.schema.json), without checksum. `product`: the file of the
   /// product.
   std::string json(const std::string& product) const;
   /// Saves the plan for `product`, the file of the product. Error: a file that cannot be written (Unwritable).

@@ -7,11 +7,11 @@
 namespace glissade::test {
 
 inline AssemblyStep stepAlong(const BodyId& body, const Vector3& way) {
-  AssemblyStep step;
-  step.body = body;
-  step.path = {{Pose::identity(), Author::Computer}, {Pose::translation(way), Author::Computer}};
-  step.method = "straight";
-  step.proof = {0, 1e-6, 2e-6, 3e-4, "base"};
+  AssemblyStep step{{StepMotion()}};
+  step.only().body = body;
+  step.only().path = {{Pose::identity(), Author::Computer}, {Pose::translation(way), Author::Computer}};
+  step.only().method = "straight";
+  step.only().proof = {0, 1e-6, 2e-6, 3e-4, "base"};
   return step;
 }
 
@@ -33,7 +33,7 @@ inline InstructedProduct blocksOnABase(std::size_t blocks) {
   made.plan.staying = {"base"};
   for (std::size_t i = blocks; i > 0; --i) {
     made.plan.steps.push_back(stepAlong(BodyId("block" + std::to_string(i - 1)), Vector3::UnitZ()));
-    made.plan.steps.back().allowances.push_back({"base", ContactKind::Planar, 4e-4, 4.1e-4, Message("text")});
+    made.plan.steps.back().only().allowances.push_back({"base", ContactKind::Planar, 4e-4, 4.1e-4, Message("text")});
   }
   return made;
 }

@@ -51,7 +51,7 @@ TEST(InstructionHtml, AScriptEndsWhereItIsToEnd) {
 TEST(InstructionHtml, StepsWithinASubassemblyHaveTheirMotionsInThe3dView) {
   auto made = test::blocksOnABase(2);
   AssemblyStep group = made.plan.steps[1];
-  group.with = {"block1"};
+  group.only().with = {"block1"};
   made.plan.lines.push_back({1, {"block0", "block1"}, {"block0"}, {made.plan.steps[0]}});
   made.plan.steps = {group};
   const InstructionScene scene{"glTF", ""};

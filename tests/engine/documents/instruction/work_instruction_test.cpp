@@ -22,12 +22,12 @@ TEST(WorkInstruction, EachStepIsInOnePanelWithItsNumberInThePlan) {
   std::vector<std::string> numbers;
   for (const InstructionPanel& panel : instruction.panels) {
     numbers.push_back(panel.number);
-    for (const AssemblyStep& step : panel.steps) ++seen[step.body];
+    for (const AssemblyStep& step : panel.steps) ++seen[step.only().body];
   }
   EXPECT_EQ(numbers, (std::vector<std::string>{"", "1", "2", "3", "4–6", "7"}));
   EXPECT_EQ(seen.size(), 7U);
   for (const auto& [body, times] : seen) EXPECT_EQ(times, 1) << body;
-  EXPECT_EQ(instruction.panels[1].steps.front().body, "block0") << "in the order of assembly";
+  EXPECT_EQ(instruction.panels[1].steps.front().only().body, "block0") << "in the order of assembly";
   EXPECT_EQ(instruction.panels[4].work, "Place block3, block4, block5.");
 }
 
@@ -43,13 +43,13 @@ TEST(WorkInstruction, AlikePartsAreFetchedTogetherWithTheirCount) {
   InstructedProduct made = test::blocksOnABase(4);
   for (std::size_t i = 0; i < 4; ++i) {
     made.plan.steps[i].task = 1;
-    StepJoint screw{JointKind::Screw, made.plan.steps[i].body, {"base"}};
+    StepJoint screw{JointKind::Screw, made.plan.steps[i].only().body, {"base"}};
     screw.designation = "ISO 4762 M3x8";
     screw.drive = DriveKind::HexSocket;
     screw.driveSize = 0.0025;
-    made.plan.steps[i].joints = {screw};
-    made.plan.steps[i].tool = {ToolKind::HexKey, ToolAccess::Blocked, {"base"}};
-    made.plan.steps[i].falling = {"base"};
+    made.plan.steps[i].only().joints = {screw};
+    made.plan.steps[i].only().tool = {ToolKind::HexKey, ToolAccess::Blocked, {"base"}};
+    made.plan.steps[i].only().falling = {"base"};
   }
   const WorkInstruction instruction = test::instructed(made);
   ASSERT_EQ(instruction.panels.size(), 2U);
@@ -68,7 +68,7 @@ TEST(WorkInstruction, AlikePartsAreFetchedTogetherWithTheirCount) {
 TEST(WorkInstruction, AGroupIsPutTogetherBeforeItIsPutOn) {
   InstructedProduct made = test::blocksOnABase(2);
   AssemblyStep group = made.plan.steps[1];
-  group.with = {"block1"};
+  group.only().with = {"block1"};
   made.plan.lines.push_back({1, {"block0", "block1"}, {"block0"}, {made.plan.steps[0]}});
   made.plan.steps = {group};
   const WorkInstruction instruction = test::instructed(made);
@@ -78,6 +78,28 @@ TEST(WorkInstruction, AGroupIsPutTogetherBeforeItIsPutOn) {
   EXPECT_EQ(instruction.panels[2].present, std::vector<BodyId>{"block0"});
   EXPECT_EQ(instruction.panels[3].work, "Place subassembly 1.");
   EXPECT_EQ(instruction.panels[3].fetched[0].bodies.size(), 2U) << "the group is drawn";
+}
+
+/// Bolt first, then the nut: one panel with the tool that tightens it.
+TEST(WorkInstruction, AFastenerStackIsOneStep) {
+  InstructedProduct made = test::blocksOnABase(2);
+  StepMotion nut = made.plan.steps[0].only();
+  nut.joints = {{JointKind::Nut, "block1", {"block0"}}};
+  nut.tool.kind = ToolKind::Socket;
+  nut.tool.held = "block0";
+  nut.tool.heldWith = ToolKind::HexKey;
+  nut.falling = {"block0"};
+  StepMotion bolt = made.plan.steps[1].only();
+  bolt.allowances.front().kind = ContactKind::Cylindrical;
+  made.plan.steps = {{{nut, bolt}, 1}};
+  const WorkInstruction instruction = test::instructed(made);
+  ASSERT_EQ(instruction.panels.size(), 2U);
+  const InstructionPanel& panel = instruction.panels[1];
+  EXPECT_EQ(panel.number, "1");
+  EXPECT_EQ(panel.work, "Insert block0. Screw on block1.");
+  EXPECT_EQ(panel.tool, "Socket");
+  EXPECT_EQ(panel.notes, std::vector<std::string>{"Hold block0 (hex key)."}) << "no support: it is of the step itself";
+  EXPECT_EQ(instruction.steps, 1U);
 }
 
 /// The last block comes from below.
@@ -96,9 +118,9 @@ TEST(WorkInstruction, AcceptedClashesAreOnTheCover) {
   EXPECT_EQ(test::instructed(made).clashes, "");
   const Allowance shallow{"base", ContactKind::Clash, 0.0004};
   const Allowance deep{"base", ContactKind::Clash, 0.0005};
-  made.plan.steps[0].allowances = {shallow};
-  made.plan.steps[1].allowances = {deep, shallow};
-  made.plan.steps[2].allowances = {{"base", ContactKind::Planar, 0.0}};
+  made.plan.steps[0].only().allowances = {shallow};
+  made.plan.steps[1].only().allowances = {deep, shallow};
+  made.plan.steps[2].only().allowances = {{"base", ContactKind::Planar, 0.0}};
   const WorkInstruction instruction = test::instructed(made);
   EXPECT_EQ(instruction.clashes, "Accepted clashes: base / block1, 0.5 mm · base / block2, 0.4 mm");
   const auto pages = instructionPages(instruction, {}, Paper::A4);
@@ -123,7 +145,7 @@ TEST(WorkInstruction, APartThatFallsOutWhenTheProductIsTurnedOverIsNamed) {
   ASSERT_FALSE(panel.turn.empty());
   EXPECT_EQ(panel.notes, std::vector<std::string>{"Hold while you turn it over: block0, block1"});
 
-  made.plan.steps[1].joints = {{JointKind::Screw, "block1", {"base"}}};
+  made.plan.steps[1].only().joints = {{JointKind::Screw, "block1", {"base"}}};
   EXPECT_EQ(turned(test::instructed(made)).notes, std::vector<std::string>{"Hold while you turn it over: block0"});
   made.plan.steps[2].after = {2};
   EXPECT_TRUE(turned(test::instructed(made)).notes.empty()) << "block1 keeps it";
@@ -145,7 +167,7 @@ TEST(WorkInstruction, HasNoWordOfTheCertificate) {
 TEST(WorkInstruction, IsWhollyInFrench) {
   const DocumentWords french(Language::French);
   const AssemblyStep step = test::stepAlong("block", Vector3::UnitZ());
-  EXPECT_EQ(workSentence(step, "block", french), "Placer block.");
+  EXPECT_EQ(workSentence(step.only(), "block", french), "Placer block.");
   EXPECT_EQ(test::instructed(test::blocksOnABase(1), Language::French).panels[0].work, "Poser base sur l'établi.");
 }
 
@@ -153,26 +175,26 @@ TEST(InstructionWords, ASentenceHasTheVerbOfTheJoint) {
   const DocumentWords english;
   AssemblyStep step = test::stepAlong("block", Vector3::UnitZ());
   const auto sentence = [&](JointKind kind, const BodyId& body) {
-    step.joints = {{kind, body, {}}};
-    return workSentence(step, "x", english);
+    step.only().joints = {{kind, body, {}}};
+    return workSentence(step.only(), "x", english);
   };
   EXPECT_EQ(sentence(JointKind::Screw, "block"), "Screw in x.");
   EXPECT_EQ(sentence(JointKind::Nut, "block"), "Screw on x.");
   EXPECT_EQ(sentence(JointKind::Nut, "rod"), "Screw in x.") << "a shaft into a nut";
   EXPECT_EQ(sentence(JointKind::Insert, "block"), "Press in x.");
   EXPECT_EQ(sentence(JointKind::Unit, "block"), "Place x.");
-  step.joints.clear();
-  step.fastener = FastenerKind::Screw;
-  EXPECT_EQ(workSentence(step, "x", english), "Place x.") << "a bolt whose nut is turned";
-  step.tool.kind = ToolKind::HexKey;
-  EXPECT_EQ(workSentence(step, "x", english), "Screw in x.");
-  step.fastener = FastenerKind::Nut;
-  EXPECT_EQ(workSentence(step, "x", english), "Screw on x.");
-  step.fastener = FastenerKind::None;
-  step.allowances.push_back({"base", ContactKind::Cylindrical, 0.0, 1e-5, {}});
-  EXPECT_EQ(workSentence(step, "x", english), "Insert x.");
-  step.path.back().q.orientation = fromRollPitchYaw(0.0, 0.0, 1.0);
-  EXPECT_EQ(workSentence(step, "x", english), "Turn in x.");
+  step.only().joints.clear();
+  step.only().fastener = FastenerKind::Screw;
+  EXPECT_EQ(workSentence(step.only(), "x", english), "Place x.") << "a bolt whose nut is turned";
+  step.only().tool.kind = ToolKind::HexKey;
+  EXPECT_EQ(workSentence(step.only(), "x", english), "Screw in x.");
+  step.only().fastener = FastenerKind::Nut;
+  EXPECT_EQ(workSentence(step.only(), "x", english), "Screw on x.");
+  step.only().fastener = FastenerKind::None;
+  step.only().allowances.push_back({"base", ContactKind::Cylindrical, 0.0, 1e-5, {}});
+  EXPECT_EQ(workSentence(step.only(), "x", english), "Insert x.");
+  step.only().path.back().q.orientation = fromRollPitchYaw(0.0, 0.0, 1.0);
+  EXPECT_EQ(workSentence(step.only(), "x", english), "Turn in x.");
 }
 
 TEST(InstructionWords, TurnsOfTheProductAreSaid) {
