@@ -72,6 +72,8 @@ class PanelDocks final {
   Workspace workspace() const { return workspace_; }
   /// Shows the panels of a workspace as they were left.
   void show(Workspace workspace);
+  /// Brings a dock that is shown in front of those at its place.
+  void bringForward(const char* dock);
   /// The layouts of the workspaces that were shown.
   Layouts layouts() const;
   void setLayouts(const Layouts& layouts, Workspace workspace);
