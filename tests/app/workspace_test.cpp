@@ -42,19 +42,19 @@ TEST_P(WorkspaceTest, AProductOpensInAssemblyAndASampleOfThePapersInPathPlanning
   EXPECT_EQ(shownDocks(*window), kPlanning);
 }
 
-/// Contacts are a page of their own beside the tree, with the action that looks for them.
-TEST_P(WorkspaceTest, ContactsAreBesideTheTreeThatAnotherProductBringsToTheFront) {
+/// Contacts are a page of their own beside the sequence, with the action that looks for them.
+TEST_P(WorkspaceTest, ContactsAreBesideTheSequenceWhichAnotherProductBringsToTheFront) {
   const auto window = makeWindow();
   window->show();
   ASSERT_EQ(window->openScenario(sample("bolted-brackets"), true), std::nullopt);
-  const auto* tree = window->findChild<QDockWidget*>(QStringLiteral("product"));
+  const auto* sequence = window->findChild<QDockWidget*>(QStringLiteral("sequence"));
   trigger(*window, "panel.joints");
   QApplication::processEvents();
   EXPECT_EQ(shownDocks(*window), kAssembly);
-  EXPECT_TRUE(tree->visibleRegion().isEmpty());
+  EXPECT_TRUE(sequence->visibleRegion().isEmpty());
   ASSERT_EQ(window->openScenario(sample("roller-stand"), true), std::nullopt);
   QApplication::processEvents();
-  EXPECT_FALSE(tree->visibleRegion().isEmpty());
+  EXPECT_FALSE(sequence->visibleRegion().isEmpty());
 }
 
 TEST_P(WorkspaceTest, EachRemembersItsPanels) {
