@@ -9,7 +9,9 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/text_cells.h"
 #include "engine/base/number_text.h"
+#include "engine/base/version_text.h"
 #include "engine/check/plain_overlaps.h"
+#include "engine/files/fits_cache.h"
 #include "engine/files/part_files.h"
 #include "engine/files/product_file.h"
 #include "engine/fits/alternatives.h"
@@ -247,7 +249,8 @@ int runFits(const FitsOptions& options) {
   options.fits.applyTo(product.fits);
   product.bodies = aboutTheirMiddles(std::move(product.bodies));
   ThreadTeam team(options.lanes - 1);
-  const auto found = ProductFinder().fits(product, team, interrupt.token(), options.limits);
+  const auto found =
+      ProductFinder(usersFitsCache(versionText())).fits(product, team, interrupt.token(), options.limits);
   if (!found) {
     Diagnostic why = found.error();
     why.file = options.file;

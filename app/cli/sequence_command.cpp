@@ -13,7 +13,9 @@
 #include "engine/base/number_text.h"
 #include "engine/base/quantity_text.h"
 #include "engine/base/time_limit.h"
+#include "engine/base/version_text.h"
 #include "engine/check/plain_overlaps.h"
+#include "engine/files/fits_cache.h"
 #include "engine/files/plan_file.h"
 #include "engine/files/product_file.h"
 #include "engine/fits/alternatives.h"
@@ -547,7 +549,8 @@ int runSequence(const SequenceOptions& options) {
   const ProgressNotes notes(begin, options.console);
   FitProgress progress(notes);
   const WorkWatch watch(stop, [&](double share) { progress.show(share); });
-  const auto found = ProductFinder().findings(product, loaded->classes, *demands, team, watch);
+  ProductFinder finder(usersFitsCache(versionText()));
+  const auto found = finder.findings(product, loaded->classes, *demands, team, watch);
   const bool outOfTime = !found && found.error().kind == ErrorKind::Interrupted && !interrupt.requested();
   if (!found && !outOfTime) return reportError(found.error(), options.console);
   reportWarnings(loaded->warnings, options.console);

@@ -13,4 +13,10 @@ std::optional<Diagnostic> setAll(const Parameters& parameters, ParameterValues& 
   return std::nullopt;
 }
 
+Parameters publicParameters(const ParameterValues& values) {
+  Parameters all;
+  for (const ParameterSpec& spec : parameterTable()) all.emplace(spec.key, values[spec.id]);
+  return all;
+}
+
 }  // namespace glissade::api

@@ -55,10 +55,6 @@ std::optional<Pose> Problem::goal() const {
 
 Box Problem::bounds() const { return publicBox(impl().problem.bounds); }
 
-Parameters Problem::parameters() const {
-  Parameters all;
-  for (const ParameterSpec& spec : parameterTable()) all.emplace(spec.key, impl().parameters[spec.id]);
-  return all;
-}
+Parameters Problem::parameters() const { return publicParameters(impl().parameters); }
 
 }  // namespace glissade::api

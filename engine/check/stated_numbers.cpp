@@ -1,6 +1,7 @@
 #include "engine/check/stated_numbers.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -179,7 +180,36 @@ class Numbers {
     }
     const bool isHexagon = joint.drive == "hex" || joint.drive == "hex_socket";
     if (!isHexagon || joint.isNamed || hasFlats(*body->mesh, *joint.driveSize)) return;
+    if (joint.drive == "hex_socket" && isOfPlainCapHead(*body, joint)) return;
     refuse("drive_size_m", *joint.driveSize, GLISSADE_TEXT("no two parallel faces so far apart"), of);
+  }
+
+  /// True if the key is that of ISO 4762 for the thread, and the screw is drawn with a head and without its socket: its
+  /// two cylinders on one axis are the thread and a head of 1.4 to 2.2 diameters.
+  bool isOfPlainCapHead(const Body& body, const StatedJoint& joint) {
+    struct Key {
+      double diameter;  // millimetres
+      double across;
+    };
+    constexpr std::array kKeys{Key{1.6, 1.5},   Key{2.0, 1.5},   Key{2.5, 2.0},   Key{3.0, 2.5},  Key{4.0, 3.0},
+                               Key{5.0, 4.0},   Key{6.0, 5.0},   Key{8.0, 6.0},   Key{10.0, 8.0}, Key{12.0, 10.0},
+                               Key{14.0, 12.0}, Key{16.0, 14.0}, Key{20.0, 17.0}, Key{24.0, 19.0}};
+    const double diameter = joint.diameter.value_or(0.0);
+    const bool isStandard = std::any_of(kKeys.begin(), kKeys.end(), [&](const Key& key) {
+      return isNear(diameter, 1e-3 * key.diameter, kDiameterShare, 0.0) &&
+             isNear(*joint.driveSize, 1e-3 * key.across, kDiameterShare, 0.0);
+    });
+    if (!isStandard) return false;
+    const std::vector<RoundFace>& rounds = question_.placed.at({body, body.X_WB}).rounds;
+    return std::any_of(rounds.begin(), rounds.end(), [&](const RoundFace& thread) {
+      return thread.isShaft && isNear(2.0 * thread.radius, diameter, kDiameterShare, 0.0) &&
+             std::any_of(rounds.begin(), rounds.end(), [&](const RoundFace& head) {
+               const double ratio = 2.0 * head.radius / diameter;
+               const bool isOneAxis = head.axis.cross(thread.axis).norm() < 1e-3 &&
+                                      (head.point - thread.point).cross(thread.axis).norm() < 0.02 * diameter;
+               return head.isShaft && ratio > 1.4 && ratio < 2.2 && isOneAxis;
+             });
+    });
   }
 
   static bool hasFlats(const TriangleMesh& mesh, double across) {

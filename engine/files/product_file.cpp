@@ -41,7 +41,14 @@ Result<ProductFile> productOfParts(const std::string& file, const StopToken& sto
   loaded.missing = (*geometry)->missing;
   const auto parts = chosenParts((*geometry)->parts, lastStepOf(file), choice);
   if (!parts) return parts.error();
-  loaded.canOpen = parts->size() < (*geometry)->parts.size();
+  if (isOnePartOfSeveralSolids((*geometry)->parts)) {
+    loaded.warnings.push_back(
+        {ErrorKind::MalformedInput,
+         file,
+         "",
+         {GLISSADE_TEXT("holds one part of %1 solids, which are taken as bodies"), {parts->size()}},
+         GLISSADE_TEXT("Join solids of one body in the CAD program.")});
+  }
   std::vector<ProductBody> bodies;
   for (const Occurrence& solid : *parts) {
     const std::string name = solid.path.empty() ? file : solid.path;
@@ -151,14 +158,6 @@ Result<ProductFile> loadProduct(const std::string& file, const StopToken& stop, 
                                 const PartChoice& choice) {
   auto loaded = readProduct(file, stop, deflection, choice);
   if (!loaded) return loaded;
-  if (loaded->product.bodies.size() < 2 && loaded->canOpen) {
-    return Diagnostic{
-        ErrorKind::MalformedInput,
-        file,
-        "",
-        GLISSADE_TEXT("holds one part of several solids: there is nothing to disassemble"),
-        {GLISSADE_TEXT("Give a product of several parts, or take it as its solids: --open %1."), {lastStepOf(file)}}};
-  }
   if (loaded->product.bodies.size() < 2) {
     return Diagnostic{ErrorKind::MalformedInput, file, "",
                       GLISSADE_TEXT("holds one body: there is nothing to disassemble"),

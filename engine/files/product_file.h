@@ -21,7 +21,6 @@ struct ProductFile {
   Warnings warnings;
   MissingShapes missing{};     ///< shapes in the files that are no bodies; there is a warning of each
   bool forbidsPlaces = false;  ///< true for a scenario that forbids places, which holds for the path of its object
-  bool canOpen = false;        ///< the part file has more solids than bodies; PartChoice can split them
 };
 
 /// The product of a scenario: its obstacles in their order, then its object at the start. Each body's frame is in its

@@ -154,8 +154,9 @@ class PairExaminer {
   }
 
   /// True if surfaces that were compared exactly explain the least gap of these triangles: a rim of a plane or a
-  /// cylinder, or of a round surface with the exact gap.
+  /// cylinder, or of a round surface with the exact gap. Triangles without deviation have the gap of their surfaces.
   bool isExplained(const Near& near) const {
+    if (near.deviation == 0.0) return false;
     const auto isKnown = [](const Label& label) {
       return label.kind == LabelKind::Plane || label.kind == LabelKind::Cylinder;
     };

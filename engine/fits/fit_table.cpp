@@ -82,11 +82,9 @@ Result<FitTable> FitTable::find(const AssembledProduct& product, ThreadTeam& tea
                                 const ContactLimits& limits) {
   constexpr double kContactsShare = 0.5;  // shares of the work
   constexpr double kPairsShare = 0.9;
-  FitTable table;
   const StopToken& stop = watch.stop;
   const WorkWatch forContacts = watch.part(0.0, kContactsShare);
   const std::vector<Contact> contacts = findContacts(contactBodiesOf(product), limits, forContacts, team).contacts;
-  table.prepared_ = std::make_shared<PreparedBodies>(product.bodies);
   FitTools tools;
   // Each body that is taken thinner is asked about once or twice.
   tools.prepared = std::make_shared<PreparedBodies>(product.bodies, BoxCare::ForFewQueries);
@@ -103,19 +101,25 @@ Result<FitTable> FitTable::find(const AssembledProduct& product, ThreadTeam& tea
     return Diagnostic{ErrorKind::Interrupted, "", "", GLISSADE_TEXT("was stopped while fits were searched"),
                       GLISSADE_TEXT("Start again.")};
   }
+  std::vector<ObjectFits> found;
   for (Result<ObjectFits>& object : objects) {
     if (!object) return object.error();
-    table.objects_.push_back(std::move(*object));
+    found.push_back(std::move(*object));
   }
-  table.addPairs(product);
-  return table;
+  return FitTable(product, std::move(found));
+}
+
+FitTable FitTable::of(const AssembledProduct& product, std::vector<ObjectFits> objects) {
+  return {product, std::move(objects)};
 }
 
 FitTable FitTable::whole(const AssembledProduct& product) {
-  FitTable table;
-  table.objects_.resize(product.bodies.size());
-  table.prepared_ = std::make_shared<PreparedBodies>(product.bodies);
-  return table;
+  return {product, std::vector<ObjectFits>(product.bodies.size())};
+}
+
+FitTable::FitTable(const AssembledProduct& product, std::vector<ObjectFits> objects)
+    : objects_(std::move(objects)), prepared_(std::make_shared<PreparedBodies>(product.bodies)) {
+  addPairs(product);
 }
 
 void FitTable::addPairs(const AssembledProduct& product) {

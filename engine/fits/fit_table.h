@@ -59,6 +59,9 @@ class FitTable {
   static Result<FitTable> find(const AssembledProduct& product, ThreadTeam& team, const WorkWatch& watch,
                                const ContactLimits& limits = {});
 
+  /// The table of a product whose fits were found before: `objects` are those of a table of the same product.
+  static FitTable of(const AssembledProduct& product, std::vector<ObjectFits> objects);
+
   /// The table of a product without fits: each body is whole, and no pair is compared.
   static FitTable whole(const AssembledProduct& product);
 
@@ -72,6 +75,7 @@ class FitTable {
   const std::shared_ptr<PreparedBodies>& prepared() const { return prepared_; }
 
  private:
+  FitTable(const AssembledProduct& product, std::vector<ObjectFits> objects);
   void addPairs(const AssembledProduct& product);
 
   std::vector<PairFit> pairs_;

@@ -176,12 +176,17 @@ std::vector<Occurrence> withPartsAsOne(const std::vector<Occurrence>& solids, co
   return joinedParts(solids, [&](const std::string& part) { return opened.count(part) == 0; });
 }
 
+bool isOnePartOfSeveralSolids(const std::vector<Occurrence>& solids) {
+  return solids.size() > 1 && withPartsAsOne(solids, std::set<std::string>()).size() == 1;
+}
+
 Result<std::vector<Occurrence>> chosenParts(const std::vector<Occurrence>& solids, const std::string& whole,
                                             const PartChoice& choice) {
   std::vector<Occurrence> named = solids;
   const std::vector<std::string> ids = textsOf(choice.planBodies);
   const std::set<std::string> planBodies(ids.begin(), ids.end());
   takeFormerPaths(planBodies, named);
+  if (choice.open.empty() && isOnePartOfSeveralSolids(named)) return named;
   std::vector<Occurrence> asOne = withPartsAsOne(named, std::set<std::string>());
   std::set<std::string> joined;
   for (const Occurrence& part : asOne) joined.insert(part.path);

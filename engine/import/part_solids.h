@@ -28,7 +28,11 @@ struct PartChoice {
   std::vector<BodyId> planBodies{};
 };
 
-/// Each part as one occurrence, except those with another choice. `whole`: name of a part that is the whole file.
+/// True if the file is one part with several solids, which are bodies of their own in a product.
+bool isOnePartOfSeveralSolids(const std::vector<Occurrence>& solids);
+
+/// Each part as one occurrence, except those with another choice, and the only part of a file, which is its solids.
+/// `whole`: name of a part that is the whole file.
 /// Errors: Usage with --open as location for a name of no part with several solids.
 Result<std::vector<Occurrence>> chosenParts(const std::vector<Occurrence>& solids, const std::string& whole,
                                             const PartChoice& choice);

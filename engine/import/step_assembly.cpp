@@ -110,6 +110,7 @@ class AssemblyWalk {
     TopLoc_Location location;
     OptionalColour colour;
     int depth = 0;
+    bool isBesideUses = false;  ///< it is a shape of an assembly that also uses products
   };
 
   void visit(const TDF_Label& product, const Place& place) {
@@ -124,12 +125,15 @@ class AssemblyWalk {
       return;
     }
     const std::vector<Component> components = componentsOf(product, place.product);
+    const bool usesProducts = std::any_of(components.begin(), components.end(),
+                                          [](const Component& component) { return !component.isOwnShape; });
     for (const Component& component : components) {
       Place inside = below(place, component.name);
       inside.location = place.location * XCAFDoc_ShapeTool::GetLocation(component.use);
       if (!inside.colour) inside.colour = colourOf(component.use);
       if (!inside.colour) inside.colour = colourOf(component.part);
       ++inside.depth;
+      inside.isBesideUses = component.isOwnShape && usesProducts;
       visit(component.part, inside);
     }
   }
@@ -138,6 +142,7 @@ class AssemblyWalk {
     TDF_Label use;
     TDF_Label part;
     NodeStep name;
+    bool isOwnShape = false;  ///< a shape of the assembly's own product
   };
 
   /// The step is made of the product's name, which people know; the name of a use is often only a number. OpenCASCADE
@@ -169,6 +174,7 @@ class AssemblyWalk {
       components[i].name = steps[i];
       if (isUse[i] || !isKindOfShape(former[i]) || product.empty()) continue;
       components[i].name.names.product = product;
+      components[i].isOwnShape = true;
     }
     return components;
   }
@@ -200,7 +206,8 @@ class AssemblyWalk {
       const StepPlacement placement = mirrored_.placementOf(place.location * shape.Location(), at.path);
       assembly_.solids.push_back({at.path, at.names, shape.Located(TopLoc_Location()), placement,
                                   place.colour ? place.colour : colourOf(shape)});
-      assembly_.solids.back().isOneOfSeveral = several;
+      // Solids beside the uses of an assembly are parts of it.
+      assembly_.solids.back().isOneOfSeveral = several && !place.isBesideUses;
       if (at.formerPath != at.path) assembly_.solids.back().formerPath = at.formerPath;
     }
   }

@@ -56,12 +56,14 @@ SurfaceFace kindOf(const BRepAdaptor_Surface& surface) {
   }
 }
 
-/// The stated surface; a free surface if its sizes are out of range.
+/// The stated surface; a free surface if its sizes are out of range. A torus that meets itself, as barrels of rollers
+/// are drawn (DEGENERATE_TOROIDAL_SURFACE), is a free surface: it has two distances from its circle.
 SurfaceFace stated(const BRepAdaptor_Surface& surface) {
   constexpr double kLargest = import_protocol::kLargestFace / import_protocol::kMillimetre;
   const SurfaceFace face = kindOf(surface);
+  const bool meetsItself = face.kind == Kind::Torus && face.second >= face.radius;
   const double size = std::max({face.point.cwiseAbs().maxCoeff(), face.radius, face.second});
-  return size <= kLargest ? face : SurfaceFace();
+  return size <= kLargest && !meetsItself ? face : SurfaceFace();
 }
 
 /// The triangles of a face in the frame of its shape.

@@ -6,6 +6,7 @@
 
 #include "engine/base/number_text.h"
 #include "engine/import/cad_kind.h"
+#include "engine/import/covered_surfaces.h"
 #include "engine/import/iges_text_check.h"
 #include "engine/import/step_answer.h"
 #include "engine/import/step_composition.h"
@@ -122,7 +123,10 @@ Result<std::vector<std::optional<double>>> commonVolumes(const std::string& file
 bool isCadFile(const std::string& file) { return cadKindOf(file).has_value(); }
 
 Result<StepProduct> importStep(const FileContent& content, double deflection, const StopToken& stop) {
-  return composeStepProduct(content, [&](const FileContent& file) { return importOneFile(file, deflection, stop); });
+  auto product =
+      composeStepProduct(content, [&](const FileContent& file) { return importOneFile(file, deflection, stop); });
+  if (product) leaveOutCoveredSurfaces(*product, content.file);
+  return product;
 }
 
 Result<StepProduct> importStep(const std::string& file, double deflection, const StopToken& stop) {

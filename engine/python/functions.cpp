@@ -8,6 +8,7 @@
 #include "engine/python/arrays.h"
 #include "engine/python/failure.h"
 #include "engine/python/long_call.h"
+#include "engine/python/operators.h"
 
 namespace glissade::python {
 namespace {
@@ -76,13 +77,18 @@ PlannerContext& running(const Context& context) {
 }
 
 template <class Task>
-Run planned(const Task& task, const std::string& strategy, std::optional<std::uint64_t> seed,
-            const std::string& operatorName, const Parameters& parameters,
-            const std::map<std::string, py::object>& planners, const py::object& progress) {
+Run planned(const Task& task, const std::string& strategy, std::optional<std::uint64_t> seed, const py::object& hand,
+            const Parameters& parameters, const std::map<std::string, py::object>& planners,
+            const py::object& progress) {
   LongCall call;
   Planners outside;
   for (const auto& [id, search] : planners) valueOf(outside.add(id, plannerOf(search, call)));
-  PlanOptions options{strategy, seed, operatorName, parameters, &outside, {}, call.stop()};
+  PlanOptions options{strategy, seed};
+  setOperator(
+      hand, [&call]() -> LongCall& { return call; }, options);
+  options.parameters = parameters;
+  options.planners = &outside;
+  options.stop = call.stop();
   if (!progress.is_none()) {
     options.progress = [&](const RunCounts& counts) { call.callBack([&] { return progress(counts), true; }, false); };
   }
@@ -93,11 +99,13 @@ Run planned(const Task& task, const std::string& strategy, std::optional<std::ui
 
 template <class Task>
 void addPlan(py::module_& module) {
-  module.def("plan", &planned<Task>, py::arg("task"), py::kw_only(), py::arg("strategy") = "",
-             py::arg("seed") = py::none(), py::arg("operator") = "none", py::arg("parameters") = Parameters(),
-             py::arg("planners") = std::map<std::string, py::object>(), py::arg("progress") = py::none(),
-             "Plans a Scenario or a Problem and returns a Run with a certified path. `planners`: functions of a\n"
-             "PlannerContext that return the poses of a path, by their ids. `progress` gets RunCounts.");
+  module.def(
+      "plan", &planned<Task>, py::arg("task"), py::kw_only(), py::arg("strategy") = "", py::arg("seed") = py::none(),
+      py::arg("operator") = "none", py::arg("parameters") = Parameters(),
+      py::arg("planners") = std::map<std::string, py::object>(), py::arg("progress") = py::none(),
+      "Plans a Scenario or a Problem and returns a Run with a certified path. `planners`: functions of a\n"
+      "PlannerContext that return the poses of a path, by their ids. `operator`: the name of a simulated one, or a\n"
+      "function of a HandView that returns the next pose. `progress` gets RunCounts.");
 }
 
 void addPlanning(py::module_& module) {

@@ -34,10 +34,20 @@ Result<FitTablePtr> ProductFinder::fits(const AssembledProduct& product, ThreadT
     return each.limits == limits && isSameProduct(each.product, product);
   });
   if (known != fits_.end()) return known->table;
-  auto table = limits ? FitTable::find(product, team, watch, *limits) : FitTable::whole(product);
+  auto table = limits ? found(product, *limits, team, watch) : FitTable::whole(product);
   if (!table) return table.error();
   remember({product, limits, std::make_shared<const FitTable>(std::move(*table))}, fits_);
   return fits_.front().table;
+}
+
+Result<FitTable> ProductFinder::found(const AssembledProduct& product, const ContactLimits& limits, ThreadTeam& team,
+                                      const WorkWatch& watch) {
+  if (store_) {
+    if (auto kept = store_->find(product, limits)) return FitTable::of(product, std::move(*kept));
+  }
+  auto table = FitTable::find(product, team, watch, limits);
+  if (store_ && table) store_->keep(product, limits, table->objects());
+  return table;
 }
 
 JointsPtr ProductFinder::joints(const AssembledProduct& product, const std::vector<std::string>& classes,

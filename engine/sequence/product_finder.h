@@ -9,6 +9,7 @@
 
 #include "engine/fits/fit_table.h"
 #include "engine/fits/joint.h"
+#include "engine/sequence/fits_store.h"
 #include "engine/sequence/order_rules.h"
 #include "engine/sequence/product_fits.h"
 
@@ -26,6 +27,9 @@ struct ProductFindings {
 /// remembered, so that the panels and the sequence share them. Thread-safe: a second asker waits for the answer.
 class ProductFinder {
  public:
+  /// `store` keeps fits for later runs; null: none does.
+  explicit ProductFinder(std::unique_ptr<FitsStore> store = nullptr) : store_(std::move(store)) {}
+
   /// The table of fits, whether the product's fits are on or not. `limits`: nothing for FitTable::whole(). `watch` and
   /// errors: see FitTable::find().
   Result<FitTablePtr> fits(const AssembledProduct& product, ThreadTeam& team, const WorkWatch& watch,
@@ -48,6 +52,10 @@ class ProductFinder {
     JointsPtr joints;
   };
 
+  Result<FitTable> found(const AssembledProduct& product, const ContactLimits& limits, ThreadTeam& team,
+                         const WorkWatch& watch);
+
+  std::unique_ptr<FitsStore> store_;
   std::mutex fitsMutex_;
   std::mutex jointsMutex_;
   std::deque<KnownFits> fits_;  ///< the last answer first

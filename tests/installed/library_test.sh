@@ -40,6 +40,8 @@ runs_with_programs_in() {
 cmake -S "$work/program" -B "$work/by-cmake" -DCMAKE_PREFIX_PATH="$prefix" >"$work/cmake.log" || { cat "$work/cmake.log"; exit 1; }
 cmake --build "$work/by-cmake" >"$work/build.log" 2>&1 || { cat "$work/build.log"; exit 1; }
 runs "$work/by-cmake/program"
+LD_LIBRARY_PATH=$libraries "$work/by-cmake/with_ompl" | grep -q '^path of OMPL valid 1' ||
+  { echo "OMPL found no path that the judge calls valid"; exit 1; }
 runs_with_programs_in "$prefix/libexec/glissade" "$work/by-cmake/program" || { echo "importers are not taken from a named folder"; exit 1; }
 ! runs_with_programs_in "$work" "$work/by-cmake/program" || { echo "the named folder of importers does not count"; exit 1; }
 

@@ -67,6 +67,56 @@ def test_an_exception_of_a_callback_arrives(problem, samples):
         glissade.plan(problem, strategy="mine", planners={"mine": lambda context: "no path"})
 
 
+def over_the_wall(view):
+    """Up, over the wall of the problem, and down, at half a metre a second."""
+    hand = np.array(view.hand)
+    x, _, z = hand[:3]
+    to = [x, 0, 0.5] if x < 0.9 and z < 0.49 else [1, 0, 0.5] if x < 0.99 else [1, 0, 0]
+    way = np.array(to) - hand[:3]
+    hand[:3] += min(1, 0.5 * view.seconds / max(1e-9, np.linalg.norm(way))) * way
+    return hand
+
+
+def test_an_operator_in_python_leads_the_object(problem):
+    run = glissade.plan(problem, strategy="contact-birrt", operator=over_the_wall, parameters={"alpha": 0})
+    assert run.path.certificate.certified
+    with pytest.raises(KeyError):
+        glissade.plan(problem, strategy="contact-birrt", operator=lambda view: {}["no"])
+
+
+def test_a_session_goes_on_step_by_step(samples):
+    scenario = glissade.load_scenario(str(samples / "environment-1" / "scenario.json"))
+    whole = glissade.plan(scenario, strategy="contact-birrt", operator="expert", seed=3)
+    session = glissade.Session(scenario, strategy="contact-birrt", operator="expert", seed=3)
+    while session.step(5) == "running":
+        assert session.path is None
+    assert session.state == "solved" and session.failure is None
+    assert np.array_equal(session.path.configurations, whole.path.configurations)
+    roadmap = session.roadmap
+    nodes = len(roadmap.nodes)
+    assert session.counts.nodes == nodes == len(roadmap.authors) == len(roadmap.trees)
+    assert roadmap.nodes.shape == (nodes, 7) and roadmap.edges.max() < nodes and roadmap.edges.shape[1] == 2
+
+
+def test_parameters_of_a_session_change_between_its_steps(samples):
+    scenario = glissade.load_scenario(str(samples / "environment-1" / "scenario.json"))
+    session = glissade.Session(scenario, strategy="contact-birrt", operator="expert", parameters={"alpha": 1})
+    session.step(50)
+    assert not np.any(session.roadmap.authors == 1)
+    session.set(alpha=0)
+    assert session.parameters["alpha"] == 0
+    session.step(200)
+    assert np.any(session.roadmap.authors == 1)
+    with pytest.raises(glissade.Error):
+        session.set(alpha=2)
+
+
+def test_an_exception_of_an_operator_leaves_its_step(problem):
+    session = glissade.Session(problem, strategy="contact-birrt", operator=lambda view: {}["no"])
+    with pytest.raises(KeyError):
+        session.step(10)
+
+
 def test_a_context_works_during_its_run_only(problem):
     kept = []
     with pytest.raises(glissade.Error):

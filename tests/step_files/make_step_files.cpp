@@ -25,6 +25,7 @@
 #include <GProp_GProps.hxx>
 #include <Geom2d_Line.hxx>
 #include <Geom_CylindricalSurface.hxx>
+#include <Geom_ToroidalSurface.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Writer.hxx>
 #include <Interface_Static.hxx>
@@ -52,6 +53,7 @@
 #include <fstream>
 #include <gp_Ax2.hxx>
 #include <gp_Ax3.hxx>
+#include <gp_Circ.hxx>
 #include <gp_GTrsf.hxx>
 #include <gp_Pln.hxx>
 #include <gp_Pnt2d.hxx>
@@ -169,6 +171,25 @@ TopoDS_Shape woundBand() {
   builder.Add(shell, faceOn(wall, {edgeOn(wall, lower, 0, lowerEnd, kTurn),
                                    edgeOn(wall, lowerEnd, kTurn, upperEnd, kTurn), shared}));
   return shell;
+}
+
+/// A roller: the face between its two ends is a part of a torus that meets itself.
+TopoDS_Shape barrel() {
+  constexpr double kCircle = 34.5;
+  constexpr double kTube = 41.0;
+  constexpr double kAngle = 0.15;  // of the tube, from the middle to an end
+  const auto disc = [](double side) {
+    const gp_Ax2 axes(gp_Pnt(0, 0, side * kTube * std::sin(kAngle)), gp_Dir(0, 0, side));
+    const TopoDS_Edge rim = BRepBuilderAPI_MakeEdge(gp_Circ(axes, kTube * std::cos(kAngle) - kCircle));
+    return BRepBuilderAPI_MakeFace(gp_Pln(gp_Ax3(axes)), BRepBuilderAPI_MakeWire(rim).Wire()).Face();
+  };
+  constexpr double kHalf = std::numbers::pi;
+  BRepBuilderAPI_Sewing sewing(1e-4);
+  sewing.Add(BRepBuilderAPI_MakeFace(new Geom_ToroidalSurface(gp_Ax3(), kCircle, kTube), 0.0, 2.0 * kHalf,
+                                     kHalf - kAngle, kHalf + kAngle, 1e-7));
+  for (const double side : {-1.0, 1.0}) sewing.Add(disc(side));
+  sewing.Perform();
+  return BRepBuilderAPI_MakeSolid(TopoDS::Shell(sewing.SewedShape()));
 }
 
 /// A document of products, written as one STEP file.
@@ -439,6 +460,22 @@ TopoDS_Shape sheetAt(double height, bool upwards = true) {
   return BRepBuilderAPI_MakeFace(plane, -20.0, 20.0, -10.0, 10.0);
 }
 
+/// A rod with the surface of a cylinder beside it, as programs draw the cosmetic thread of a screw.
+TopoDS_Shape rodWithSurface(double rod, double surface) {
+  const Handle(Geom_CylindricalSurface) wall = new Geom_CylindricalSurface(gp_Ax3(), surface);
+  return compoundOf({cylinder(rod, 40), BRepBuilderAPI_MakeFace(wall, 0.0, 2.0 * std::numbers::pi, -19.0, 5.0, 1e-7)});
+}
+
+/// Two rods: the surface of the one is inside it, that of the other is around it.
+void writeCosmeticThreads(const std::string& file) {
+  Product product;
+  const TDF_Label both = product.assembly("rods");
+  product.put(product.part("covered", rodWithSurface(5.0, 4.2)), both, at(0, 0, 0));
+  product.put(product.part("covered", rodWithSurface(5.0, 4.2)), both, turnedAt(50, 0, 7));
+  product.put(product.part("bare", rodWithSurface(5.0, 5.2)), both, at(100, 0, 0));
+  product.write(file);
+}
+
 /// A solid made of the two sides of one sheet.
 TopoDS_Shape flatSolid() {
   BRepBuilderAPI_Sewing sewing;
@@ -507,6 +544,7 @@ void writeAll(const std::string& folder) {
   writePart(folder + "/edge.step", "edge", BRepBuilderAPI_MakeEdge(gp_Pnt(), gp_Pnt(10, 0, 0)));
   writePart(folder + "/cone.step", "cone", coneAt(gp_Ax2(gp_Pnt(5, -3, 7), gp_Dir(1, 2, 3))));
   writePart(folder + "/faces.step", "faces", kindsOfFaces());
+  writePart(folder + "/barrel.step", "barrel", barrel());
   writePart(folder + "/thin-rim.step", "disc", discWithThinRim());
   writeCountersunkRing(folder + "/box.step", folder + "/countersunk-ring.step");
   writePart(folder + "/wound-band.step", "band", woundBand());
@@ -521,6 +559,7 @@ void writeAll(const std::string& folder) {
   writeValidated(folder + "/validated.step", 1.0, 0.0);
   writeValidated(folder + "/validated-wrong.step", 1.05, 1.0);
   writeOddShapes(folder + "/odd-shapes.step");
+  writeCosmeticThreads(folder + "/cosmetic-threads.step");
   writeSplit(folder);
   writeFrames(folder + "/frames.step");
   writePart(folder + "/ribbed.step", "ribbed",

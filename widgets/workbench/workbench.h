@@ -2,6 +2,8 @@
 
 #include <memory>
 
+#include "engine/base/version_text.h"
+#include "engine/files/fits_cache.h"
 #include "engine/sequence/product_finder.h"
 #include "widgets/controls/action_catalogue.h"
 #include "widgets/document/session_bridge.h"
@@ -29,7 +31,7 @@ struct Workbench {
   FileDialogs& dialogs;
   QMainWindow& window;  ///< parent of panels and dialogs
   /// Shared with background work.
-  std::shared_ptr<ProductFinder> finder = std::make_shared<ProductFinder>();
+  std::shared_ptr<ProductFinder> finder = std::make_shared<ProductFinder>(usersFitsCache(versionText()));
 
   /// Calls `handler` when the action is triggered, as long as `context` lives.
   template <class Handler>

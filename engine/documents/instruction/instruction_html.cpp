@@ -115,7 +115,8 @@ class Page {
                               {std::to_string(parts), std::to_string(instruction_.steps)})) +
             (tools.empty() ? std::string() : paragraph("", say(GLISSADE_TEXT("Tools: %1"), {tools}))) +
             (instruction_.incomplete.empty() ? std::string() : paragraph("work", instruction_.incomplete)) +
-            "</div></div>\n" + "<div class=\"picture\">" + image("image/png", pictures_.finished, instruction_.title) +
+            (instruction_.clashes.empty() ? std::string() : paragraph("", instruction_.clashes)) + "</div></div>\n" +
+            "<div class=\"picture\">" + image("image/png", pictures_.finished, instruction_.title) +
             "</div>\n</section>\n";
   }
 

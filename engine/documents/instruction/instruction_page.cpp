@@ -93,6 +93,7 @@ void PageMaker::number(std::vector<InstructionPage>& pages) const {
 
 InstructionPage PageMaker::cover() const {
   constexpr double kTitle = 34.0;  // millimetres
+  constexpr double kLine = 4.5;
   constexpr double kFacts = 24.0;
   InstructionPage made = page();
   const PageRect area = body();
@@ -114,7 +115,14 @@ InstructionPage PageMaker::cover() const {
                           false,
                           true});
   }
-  made.pictures.push_back({{area.x, area.y + kTitle, area.width, area.height - kTitle - kFacts}, std::nullopt});
+  const std::string& clashes = instruction_.clashes;
+  const double ofClashes =
+      clashes.empty() ? 0.0 : kLine * static_cast<double>(linesOf(clashes, kNotePoints, false, area.width)) + 2.0;
+  if (!clashes.empty()) {
+    made.texts.push_back({{area.x, area.y + kTitle, area.width, ofClashes}, clashes, kNotePoints});
+  }
+  const double head = kTitle + ofClashes;
+  made.pictures.push_back({{area.x, area.y + head, area.width, area.height - head - kFacts}, std::nullopt});
   std::size_t parts = 0;
   for (const PartsListRow& row : instruction_.parts) parts += row.count;
   const double top = area.bottom() - kFacts + 3.0;

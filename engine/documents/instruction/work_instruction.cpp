@@ -1,10 +1,13 @@
 #include "engine/documents/instruction/work_instruction.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "engine/documents/instruction/instruction_words.h"
 #include "engine/documents/plan_tasks.h"
+#include "engine/fits/fit_refusals.h"
 #include "engine/sequence/plan_bodies.h"
 #include "engine/sequence/step_motion.h"
 
@@ -39,6 +42,7 @@ class Instructor {
     made_.bodies = idsOf(product_.bodies);
     made_.parts = partsList(plan_, product_);
     made_.incomplete = partsWithoutStep();
+    made_.clashes = acceptedClashes();
     std::set<BodyId> leaving;
     for (const AssemblyStep& step : plan_.steps) {
       for (const BodyId& id : step.bodies()) leaving.insert(id);
@@ -64,6 +68,40 @@ class Instructor {
       if (row.withoutStep > 0) names += (names.empty() ? "" : ", ") + countedName(partName(row), row.withoutStep);
     }
     return names.empty() ? names : say(GLISSADE_TEXT("Incomplete: the plan has no step for %1."), {names});
+  }
+
+  /// The pairs of two kinds of parts between which a clash is accepted.
+  struct ClashOfKinds {
+    std::set<std::pair<BodyId, BodyId>> pairs;
+    double depth = 0.0;
+  };
+  using ClashesOfKinds = std::map<std::pair<std::string, std::string>, ClashOfKinds>;
+
+  std::string acceptedClashes() {
+    ClashesOfKinds clashes;
+    addClashes(plan_.steps, plan_.lines, clashes);
+    std::string list;
+    for (const auto& [kinds, clash] : clashes) {
+      const std::string pairs = countedName(kinds.first + " / " + kinds.second, clash.pairs.size());
+      list += (list.empty() ? "" : " · ") + pairs + ", " + words_.length(clash.depth);
+    }
+    return list.empty() ? list : say(GLISSADE_TEXT("Accepted clashes: %1"), {list});
+  }
+
+  void addClashes(const std::vector<AssemblyStep>& steps, const std::vector<SubassemblyLine>& lines,
+                  ClashesOfKinds& clashes) {
+    for (const AssemblyStep& step : steps) {
+      for (const Allowance& allowance : step.allowances) {
+        if (!isByAcceptedClash(allowance)) continue;
+        const BodyId& moving = allowance.moving.empty() ? step.body : allowance.moving;
+        const std::string one = partName(rowOf(moving));
+        const std::string other = partName(rowOf(allowance.body));
+        ClashOfKinds& clash = clashes[std::minmax(one, other)];
+        clash.pairs.insert(std::minmax(moving, allowance.body));
+        clash.depth = std::max(clash.depth, allowance.overlap);
+      }
+    }
+    for (const SubassemblyLine& line : lines) addClashes(line.steps, line.lines, clashes);
   }
 
   /// Adds the steps of the product, or of a group. `group`: number of the step that brings the group.

@@ -37,8 +37,10 @@ struct InstructionPanel {
 struct WorkInstruction {
   Language language = Language::English;
   std::string title;
-  std::size_t steps = 0;       ///< number of steps of the plan
-  std::string incomplete;      ///< names the parts for which the plan has no step; empty: there are none
+  std::size_t steps = 0;   ///< number of steps of the plan
+  std::string incomplete;  ///< names the parts for which the plan has no step; empty: there are none
+  /// "Accepted clashes: 4 × housing / screw M3x8, 0.270 mm · …", the deepest of equal pairs; empty: there are none.
+  std::string clashes;
   std::vector<BodyId> bodies;  ///< ids of the whole product
   std::vector<PartsListRow> parts;
   std::vector<std::string> tools;  ///< without duplicates

@@ -2,6 +2,7 @@
 #include <glissade/glissade.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -98,6 +99,108 @@ TEST(Api, APlannerFromOutsideIsCertified) {
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().kind, ErrorKind::NoPath) << refused.error().text();
   }
+}
+
+TEST(Api, ASessionGoesOnStepByStepAsAWholeRunDoes) {
+  const auto scenario = g::load<g::Scenario>(sample("environment-1/scenario.json"));
+  const g::PlanOptions options{.strategy = "contact-birrt", .seed = 3, .operatorName = "expert"};
+  const g::Run whole = g::plan(*scenario, options);
+  ASSERT_TRUE(whole.path);
+  g::Session session = *g::Session::make(*scenario, options);
+  EXPECT_FALSE(session.path());
+  std::uint64_t steps = 0;
+  while (session.step(7) == g::SessionState::Running) {
+    ASSERT_EQ(session.counts().steps, steps += 7);
+    ASSERT_EQ(session.counts().nodes, session.roadmap().nodes.size());
+  }
+  ASSERT_EQ(session.state(), g::SessionState::Solved);
+  EXPECT_FALSE(session.failure());
+  EXPECT_EQ(session.counts().steps, whole.counts.steps);
+  EXPECT_EQ(session.path()->length(), whole.path->length());
+  const g::Roadmap roadmap = session.roadmap();
+  EXPECT_EQ(roadmap.nodes.front().position, scenario->problem().start().position);
+  EXPECT_EQ(roadmap.authors.size(), roadmap.nodes.size());
+  EXPECT_EQ(roadmap.trees.size(), roadmap.nodes.size());
+  EXPECT_NE(std::count(roadmap.authors.begin(), roadmap.authors.end(), g::Author::Operator), 0);
+  for (const auto& [from, to] : roadmap.edges) ASSERT_LT(std::max(from, to), roadmap.nodes.size());
+}
+
+TEST(Api, ParametersOfASessionChangeBetweenItsSteps) {
+  const auto scenario = g::load<g::Scenario>(sample("environment-1/scenario.json"));
+  const g::PlanOptions options{.strategy = "contact-birrt", .operatorName = "expert", .parameters = {{"alpha", 1.0}}};
+  g::Session session = *g::Session::make(*scenario, options);
+  session.step(50);
+  const auto ofOperator = [&] {
+    const g::Roadmap roadmap = session.roadmap();
+    return std::count(roadmap.authors.begin(), roadmap.authors.end(), g::Author::Operator);
+  };
+  ASSERT_EQ(ofOperator(), 0) << "at 1 the computer draws all";
+  EXPECT_FALSE(session.set({{"alpha", 0.0}, {"nonsense", 1.0}}));
+  EXPECT_FALSE(session.set({{"alpha", kNan}}));
+  EXPECT_EQ(session.parameters()["alpha"], 1.0);
+  ASSERT_TRUE(session.set({{"alpha", 0.0}}));
+  EXPECT_EQ(session.parameters()["alpha"], 0.0);
+  session.step(200);
+  EXPECT_GT(ofOperator(), 0);
+}
+
+TEST(Api, AnOperatorFromOutsideMovesTheObject) {
+  const g::PlanOptions still{.strategy = "contact-birrt",
+                             .operatorFunction = [](const g::HandView& view) { return view.hand; },
+                             .parameters = {{"alpha", 0.0}}};
+  g::Session session = *g::Session::make(problem(), still);
+  session.step(100);
+  EXPECT_EQ(session.hand().position, at(-1, 0, 0).position);
+  // Over the wall, at half a metre a second.
+  const auto leads = [](const g::HandView& view) {
+    g::Pose next = view.hand;
+    const bool isBefore = next.position.x() < 0.9;
+    const double height = isBefore ? 0.5 : 0.0;
+    const g::Vector3 to = std::abs(next.position.z() - height) > 0.01 && (isBefore || next.position.x() >= 0.9)
+                              ? g::Vector3(next.position.x(), 0.0, height)
+                              : g::Vector3(1.0, 0.0, height);
+    const g::Vector3 way = to - next.position;
+    next.position += std::min(1.0, 0.5 * view.seconds / std::max(1e-9, way.norm())) * way;
+    return next;
+  };
+  g::PlanOptions led = still;
+  led.operatorFunction = leads;
+  const g::Run run = g::plan(problem(), led);
+  ASSERT_TRUE(run.path) << run.path.error().text();
+  EXPECT_TRUE(run.path->certificate().certified());
+}
+
+TEST(Api, AnOperatorFromOutsideThatFailsIsADiagnostic) {
+  const g::OperatorFunction lost = [](const g::HandView&) { return at(kNan, 0, 0); };
+  const g::OperatorFunction throws = [](const g::HandView&) -> g::Pose { throw std::runtime_error("no idea"); };
+  for (const auto& [wrong, reason] : {std::pair{lost, "not finite"}, std::pair{throws, "no idea"}}) {
+    const g::PlanOptions options{
+        .strategy = "contact-birrt", .operatorFunction = wrong, .parameters = {{"alpha", 0.5}}};
+    const g::Run run = g::plan(problem(), options);
+    ASSERT_FALSE(run.path);
+    EXPECT_NE(run.path.error().text().find(reason), std::string::npos) << run.path.error().text();
+    g::Session session = *g::Session::make(problem(), options);
+    EXPECT_EQ(session.step(100), g::SessionState::Ended);
+    EXPECT_NE(session.failure()->text().find(reason), std::string::npos);
+  }
+}
+
+TEST(Api, WrongSessionsAreRefused) {
+  g::Planners planners;
+  ASSERT_TRUE(planners.add("mine", [](g::PlannerContext&) { return std::vector<g::Pose>(); }));
+  EXPECT_FALSE(g::Session::make(problem(), {.strategy = "mine", .planners = &planners}));
+  EXPECT_FALSE(g::Session::make(problem(), {.strategy = "nonsense"}));
+  EXPECT_FALSE(g::Session::make(problem(), {.operatorName = "nobody"}));
+  EXPECT_FALSE(g::Session::make(problem(), {.parameters = {{"alpha", 2.0}}}));
+  const auto inCollision = g::Problem::make(world(), at(0, 0, 0), at(1, 0, 0));
+  g::Session ended = *g::Session::make(*inCollision);
+  EXPECT_EQ(ended.step(10), g::SessionState::Ended);
+  ASSERT_TRUE(ended.failure());
+  EXPECT_EQ(ended.failure()->kind, ErrorKind::InCollision);
+  g::StopSource stopped;
+  stopped.requestStop();
+  g::Session waiting = *g::Session::make(problem());
+  EXPECT_EQ(waiting.step(1'000'000, stopped.token()), g::SessionState::Running);
 }
 
 TEST(Api, APlannerFromOutsideThatThrowsIsADiagnostic) {

@@ -138,14 +138,12 @@ TEST(StepParts, EarlierScenariosAndPlansFindTheBodiesOfMappedProducts) {
   EXPECT_TRUE(planned->product.find("stud#2"));
 }
 
-TEST(StepParts, AFileOfOnePartOfSeveralSolidsSaysHowToOpenIt) {
-  const std::string file = stepFile("two-solids.step");
-  const auto whole = loadProduct(file);
-  ASSERT_FALSE(whole);
-  EXPECT_THAT(toString(whole.error().advice), HasSubstr("--open two-solids.step"));
-  const auto open = loadProduct(file, {}, 0.0, {{"two-solids.step"}, {}});
-  ASSERT_TRUE(open) << toString(open.error());
-  EXPECT_EQ(open->product.bodies.size(), 2U);
+TEST(StepParts, AFileOfOnePartIsTakenAsItsSolids) {
+  const auto whole = loadProduct(stepFile("two-solids.step"));
+  ASSERT_TRUE(whole) << toString(whole.error());
+  EXPECT_EQ(whole->product.bodies.size(), 2U);
+  ASSERT_EQ(whole->warnings.size(), 1U);
+  EXPECT_THAT(toString(whole->warnings[0].reason), HasSubstr("one part of 2 solids"));
 }
 
 TEST(StepParts, AFileOfOnePartIsTakenAsAMesh) {

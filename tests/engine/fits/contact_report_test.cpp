@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <vector>
 
 #include "engine/geometry/primitives.h"
 #include "engine/import/step_import.h"
@@ -93,6 +95,41 @@ TEST(ContactReport, MeasuresBlocksThatTouchOverlapAndStandApart) {
     EXPECT_EQ(deep.contacts.front().kind, ContactKind::Overlap);
     EXPECT_NEAR(deep.contacts.front().overlap, way, 1e-6);
     EXPECT_EQ(report(-0.0015, 0.0).contacts.front().kind, ContactKind::Clash);
+  }
+}
+
+/// A board that leans with one edge at a plate, and has a foot that is parallel to it. The gap of the foot is no reason
+/// against the contact of the edge.
+TEST(ContactReport, AnEdgeOnAFaceTouchesItBesideAFaceThatDoesNot) {
+  constexpr double kFoot = 0.0005;
+  const std::vector<std::array<double, 2>> outline{{0.0, 0.0},    {0.01, 0.005},  {0.01, 0.02},
+                                                   {-0.02, 0.02}, {-0.02, kFoot}, {-0.015, kFoot}};
+  TriangleMesh board;
+  for (const double y : {-0.005, 0.005}) {
+    for (const auto& [x, z] : outline) board.vertices.emplace_back(x, y, z);
+  }
+  const auto count = static_cast<std::uint32_t>(outline.size());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t k = (i + 1) % count;
+    board.triangles.push_back({i, count + k, k});
+    board.triangles.push_back({i, count + i, count + k});
+  }
+  // The outline is seen as a whole from the corner on the plate.
+  for (std::uint32_t i = 1; i + 1 < count; ++i) {
+    board.triangles.push_back({0, i, i + 1});
+    board.triangles.push_back({count, count + i + 1, count + i});
+  }
+  RandomStream random(6, "edges");
+  for (int round = 0; round < 3; ++round) {
+    const Pose place = randomPose(random, kRoom);
+    const auto plate = body("plate", makeBox({0.1, 0.1, 0.01}), place * Pose::translation({0.0, 0.0, -0.005}));
+    for (const double clearance : {0.0, 2.0 * kFoot}) {
+      ContactLimits limits;
+      limits.clearanceUpTo = clearance;
+      const ContactReport report = findContacts({plate, body("board", board, place)}, limits);
+      ASSERT_EQ(report.contacts.size(), 1U) << clearance;
+      EXPECT_EQ(report.contacts.front().kind, ContactKind::Contact) << clearance;
+    }
   }
 }
 

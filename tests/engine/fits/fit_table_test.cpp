@@ -18,7 +18,7 @@ FitTable tableOf(const AssembledProduct& product) {
   ThreadTeam team(1);
   auto table = FitTable::find(product, team, {});
   EXPECT_TRUE(table.ok()) << (table.ok() ? "" : toString(table.error()));
-  return table.ok() ? std::move(*table) : FitTable();
+  return table.ok() ? std::move(*table) : FitTable::whole(product);
 }
 
 /// Rings on one shaft, of random radii and lengths: gaps, fits, threads and clashes.

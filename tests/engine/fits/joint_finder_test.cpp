@@ -96,6 +96,24 @@ TEST(JointFinder, ANutThatIsFreeIsTurnedAndAHeldOneIsNot) {
   }
 }
 
+/// A thin shim has one section, which does not tell a hole beside the axis from the crest of a helix.
+TEST(JointFinder, AThinShimBesideTheAxisOfAScrewIsNoThread) {
+  for (const double aside : {0.0, 0.0005}) {
+    const Pose beside = Pose::translation({aside, 0.0, 0.0});
+    ProductOfParts parts;
+    parts.add("screw", capScrew(0.008, 0.04))
+        .add("plate", plateMesh(0.0045, 0.05, -0.02, 0.0))
+        .add("ring", tubeMesh(circle(0.004), circle(0.008), -0.021, -0.02), beside)
+        .add("nut", tubeMesh(circle(0.0034), prism(0.013, 6), -0.0275, -0.021), beside);
+    const Joints joints = findJoints(parts.product());
+    ASSERT_EQ(joints.size(), 1U) << aside;
+    EXPECT_EQ(joints[0].kind, JointKind::Nut);
+    EXPECT_EQ(joints[0].body, 3U);
+    EXPECT_THAT(joints[0].others, ElementsAre(0U));
+    EXPECT_THAT(joints[0].clamped, ElementsAre(1U, 2U));
+  }
+}
+
 TEST(JointFinder, ANutOnARodLeavesOverTheNearerEnd) {
   ProductOfParts parts;
   parts.add("rod", rodMesh(0.005, -0.1, 0.1)).add("nut", tubeMesh(circle(0.005), prism(0.016, 6), 0.08, 0.088));

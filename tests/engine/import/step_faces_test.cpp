@@ -126,6 +126,20 @@ TEST(StepFaces, OfAFreeSurfaceAreMeasuredOnSamplesThatMissLittle) {
   }
 }
 
+/// The distance from the nearer side of the tube was 13 mm.
+TEST(StepFaces, ATorusThatMeetsItselfIsMeasuredOnItsOwnSide) {
+  const TriangleMesh mesh = *read(stepFile("barrel.step")).parts.at(0).mesh;
+  const std::vector<double> largest = measured(mesh, [](const SurfaceFace& face, const Vector3& p) {
+    if (face.kind == Kind::Plane) return distanceFrom(face, p);
+    return std::abs(std::hypot(p.head<2>().norm() + 0.0345, p.z()) - 0.041);
+  });
+  ASSERT_EQ(mesh.faces.size(), 3U);
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    EXPECT_GE(mesh.faces[f].deflection, largest[f] - kRounding);
+    EXPECT_LE(mesh.faces[f].deflection, 1.5 * largest[f] + 1e-12);
+  }
+}
+
 TEST(StepFaces, PlanesHaveNoDeflectionAndLookOutwards) {
   const TriangleMesh mesh = *read(stepFile("plate.step")).parts.at(0).mesh;
   EXPECT_EQ(mesh.faces.size(), 7U);

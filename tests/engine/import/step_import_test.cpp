@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/geometry/mesh_audit.h"
+#include "engine/import/part_solids.h"
 #include "engine/import/step_deflection.h"
 #include "tests/engine/support/mapped_step.h"
 #include "tests/engine/support/step_files.h"
@@ -282,6 +283,38 @@ TEST(StepImport, PartsWithoutAnInsideAndLonelyCurvesAreNamed) {
                         "part 'wired': has curves that lie on no face (3): they are left out",
                         "part 'flat': has no thickness: its faces enclose no volume"));
   EXPECT_EQ(product->parts.size(), 4U) << "a closed shell is no solid, but bounds one";
+}
+
+/// The assembly has the solids of its plate and its pin as its own shapes, too.
+TEST(StepImport, SolidsBesideTheUsesOfAnAssemblyAreParts) {
+  std::string text = stepText("unit.step");
+  const std::string items = "SHAPE_REPRESENTATION('',(#11,#15,#19,#23,#27),";
+  const auto at = text.find(items);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, items.size(), "SHAPE_REPRESENTATION('',(#11,#15,#19,#23,#27,#45,#478),");
+  const test::TemporaryFolder folder;
+  const auto product = importStep(folder.write("own.step", text), 0.0);
+  ASSERT_TRUE(product) << toString(product.error());
+  const std::size_t before = importStep(stepFile("unit.step"), 0.0)->parts.size();
+  const auto parts = withPartsAsOne(product->parts, std::set<std::string>());
+  EXPECT_EQ(parts.size(), before + 2U);
+  for (const Occurrence& part : parts) EXPECT_FALSE(part.isSolidOfPart) << part.path;
+}
+
+/// A part that the surface sticks out of has both as bodies.
+TEST(StepImport, SurfacesInsideASolidOfTheirPartAreLeftOut) {
+  const auto product = importStep(stepFile("cosmetic-threads.step"), 0.0);
+  ASSERT_TRUE(product);
+  std::vector<std::string> paths;
+  for (const Occurrence& part : withPartsAsOne(product->parts, std::set<std::string>())) paths.push_back(part.path);
+  EXPECT_THAT(paths, testing::ElementsAre("covered", "covered#2", "bare/bare", "bare/surfaces"));
+  std::vector<std::string> said;
+  for (const Diagnostic& warning : product->warnings)
+    said.push_back(toString(warning.location) + ": " + toString(warning.reason));
+  const std::string covered = " has surfaces inside its solid (1 face), as cosmetic threads are: they are left out";
+  EXPECT_THAT(said, testing::UnorderedElementsAre(
+                        "part 'covered/surfaces':" + covered, "part 'covered#2/surfaces':" + covered,
+                        "part 'bare/surfaces': is no solid: its faces (1) bound nothing, 2 of their edges are open"));
 }
 
 TEST(StepImport, DeflectionIsAtMostAThousandthOfTheDiagonalWithinLimitsUnlessSomebodySays) {

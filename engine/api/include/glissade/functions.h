@@ -3,6 +3,7 @@
 #include <glissade/assembly_plan.h>
 #include <glissade/export.h>
 #include <glissade/mesh.h>
+#include <glissade/operators.h>
 #include <glissade/path.h>
 #include <glissade/planners.h>
 #include <glissade/problem.h>
@@ -68,6 +69,7 @@ struct PlanOptions {
   std::string strategy{};                            ///< id of a planner; empty: the scenario's, or "auto"
   std::optional<std::uint64_t> seed{};               ///< nothing: the scenario's, or 1
   std::string operatorName = "none";                 ///< simulated operator: "none", "expert", "default", "novice", ...
+  OperatorFunction operatorFunction{};               ///< an operator from outside, instead of `operatorName`
   Parameters parameters{};                           ///< values that override those of the problem
   const Planners* planners = nullptr;                ///< planners from outside; null: none. It has to outlive the call.
   std::function<void(const RunCounts&)> progress{};  ///< called on the calling thread, many times a second

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
+#include "engine/documents/instruction/instruction_layout.h"
 #include "engine/documents/instruction/instruction_words.h"
 #include "tests/engine/documents/instruction/instructed_products.h"
 
@@ -86,6 +88,24 @@ TEST(WorkInstruction, PartsWithoutAStepAreNamedOnTheCoverAndAtTheStart) {
   const WorkInstruction instruction = test::instructed(made);
   EXPECT_EQ(instruction.incomplete, "Incomplete: the plan has no step for block0.");
   EXPECT_EQ(instruction.panels.front().notes, std::vector<std::string>{instruction.incomplete});
+}
+
+/// Several overlaps of a pair are one entry.
+TEST(WorkInstruction, AcceptedClashesAreOnTheCover) {
+  InstructedProduct made = test::blocksOnABase(3);
+  EXPECT_EQ(test::instructed(made).clashes, "");
+  const Allowance shallow{"base", ContactKind::Clash, 0.0004};
+  const Allowance deep{"base", ContactKind::Clash, 0.0005};
+  made.plan.steps[0].allowances = {shallow};
+  made.plan.steps[1].allowances = {deep, shallow};
+  made.plan.steps[2].allowances = {{"base", ContactKind::Planar, 0.0}};
+  const WorkInstruction instruction = test::instructed(made);
+  EXPECT_EQ(instruction.clashes, "Accepted clashes: base / block1, 0.5 mm · base / block2, 0.4 mm");
+  const auto pages = instructionPages(instruction, {}, Paper::A4);
+  const auto& texts = pages.front().texts;
+  EXPECT_TRUE(std::any_of(texts.begin(), texts.end(), [&](const PageText& each) {
+    return each.text == instruction.clashes && each.rect.bottom() < pages.front().pictures.front().rect.y + 1e-9;
+  })) << "above the picture";
 }
 
 TEST(WorkInstruction, APartThatFallsOutWhenTheProductIsTurnedOverIsNamed) {
