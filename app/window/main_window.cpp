@@ -145,7 +145,7 @@ void MainWindow::addParts() {
   docks_.addDock({tr("Run"), "run", DockPlace::UpperRight, {Planning, Study}});
   docks_.addDock({tr("Path"), "path", DockPlace::LowerRight, {Planning, Study}});
   docks_.addDock({tr("Sequence"), "sequence", DockPlace::LowerRight, {Assembly}});
-  docks_.addDock({tr("Contacts"), "contacts", DockPlace::UpperRight, {Assembly}, DockPlace::LowerRight});
+  docks_.addDock({tr("Contacts"), "contacts", DockPlace::UpperRight, {Assembly}, DockPlace::LowerRight, true});
   docks_.addDock({tr("Log"), "log", DockPlace::LowerRight, {Study}});
   docks_.add({"interaction", tr("Interaction"), "interaction", run->interactionPanel()});
   docks_.add({"product", tr("Bodies"), "scene-tree", assembly->panel(), "panel.scene"});

@@ -212,6 +212,7 @@ void PanelDocks::orderTabStops() {
 }
 
 bool PanelDocks::isShownAtFirst(const Dock& dock) const {
+  if (inOneColumn_ && dock.spec.needsRoom) return false;
   return std::find(dock.spec.workspaces.begin(), dock.spec.workspaces.end(), workspace_) != dock.spec.workspaces.end();
 }
 

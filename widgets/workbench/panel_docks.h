@@ -26,6 +26,7 @@ struct DockSpec {
   DockPlace place;
   std::vector<Workspace> workspaces;                        ///< that show the dock at first
   std::optional<DockPlace> placeInAssembly = std::nullopt;  ///< its place in that workspace, if it is another
+  bool needsRoom = false;  ///< it is not shown at first where all docks are tabs of one column
 };
 
 /// A panel of a dock. Several panels of one dock are its tabs.
