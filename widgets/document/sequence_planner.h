@@ -9,6 +9,7 @@
 #include "engine/documents/plan_words.h"
 #include "engine/sequence/assembly_plan.h"
 #include "engine/sequence/body_group.h"
+#include "engine/sequence/held_by_base.h"
 #include "engine/sequence/order_rules.h"
 #include "engine/sequence/product_finder.h"
 #include "engine/sequence/sequence_run.h"
@@ -37,6 +38,7 @@ struct GrownPlan {
   PlanPtr plan;
   /// Seconds since planning began, for each of the last steps, which were found since then.
   std::vector<double> foundAfter;
+  std::vector<HeldByBase> held{};  ///< why bodies stay with the base
 };
 
 /// Verdict of the independent check on the plan; `said` are a person's statements about the product.
@@ -66,6 +68,8 @@ class SequencePlanner final : public QObject {
 
  signals:
   void grown(const glissade::GrownPlan& plan);
+  /// Motions of these bodies, or of groups that begin with them, are tried now.
+  void tried(const std::vector<glissade::BodyId>& bodies);
   /// Planning ended: the plan is complete, stuck or stopped.
   void planned(const glissade::GrownPlan& plan);
   void judged(const glissade::PlanPtr& plan, const glissade::PlanCheck& check);

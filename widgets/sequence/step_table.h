@@ -23,7 +23,9 @@ struct ShownPlan {
   std::vector<std::optional<double>> foundAfter;  ///< seconds, for each step; nothing: not found here
   PlanCheck check{};                              ///< result of the independent check
   PlanAccessPtr access{};                         ///< access of a hand to each step; null: not analysed
-  PlanPtr before{};  ///< the plan of before, which is shown grey while `plan` grows; null: none
+  PlanPtr before{};                ///< the earlier plan, which is shown grey while `plan` grows; null: none
+  std::vector<HeldByBase> held{};  ///< why bodies stay with the base; empty: none does, or it is not known
+  bool isWaiting = false;          ///< planning begins once the edits have settled
 };
 
 /// Steps of an assembly plan, two lines for each row, and stuck parts with the whole reason. Steps can be dragged to
@@ -65,7 +67,7 @@ class StepTable final : public QTreeWidget {
  private:
   void addStep(std::size_t place);
   void addStuck(const StuckBody& stuck);
-  void addOfBefore(std::size_t step);
+  void addEarlier(std::size_t step);
   void fitColumns();
   QStringList unreachedInside(std::size_t step) const;
   void addUnreached(const SubassemblyLine& line, const LineAccess& access, QStringList& texts) const;
