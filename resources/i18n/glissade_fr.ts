@@ -9438,14 +9438,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Nommez les solides à sa création&#xa0;: glissade-cli new OUT.json --static FICHIER:PIÈCE/SOLIDE --static FICHIER.</translation>
     </message>
     <message>
-        <source>holds one part of several solids: there is nothing to disassemble</source>
-        <translation>contient une seule pièce de plusieurs solides&#xa0;: il n&apos;y a rien à démonter</translation>
-    </message>
-    <message>
-        <source>Give a product of several parts, or take it as its solids: --open %1.</source>
-        <translation>Donnez un produit de plusieurs pièces, ou prenez-le comme ses solides&#xa0;: --open %1.</translation>
-    </message>
-    <message>
         <source>is damaged, and names the scenario and the settings of the run</source>
         <translation>est endommagée, alors qu&apos;elle nomme le scénario et les réglages du calcul</translation>
     </message>
@@ -11646,6 +11638,26 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>as a snap that bends by up to %1 it leaves along no axis: move it by hand, or make the two a permanent joint</source>
         <translation>comme clip qui fléchit jusqu&apos;à %1, elle ne sort selon aucun axe&#xa0;: déplacez-la à la main, ou faites des deux une liaison permanente</translation>
+    </message>
+    <message>
+        <source>Accepted clashes: %1</source>
+        <translation>Interférences acceptées : %1</translation>
+    </message>
+    <message>
+        <source>holds one part of %1 solids, which are taken as bodies</source>
+        <translation>contient une seule pièce de %1 solides, qui sont pris comme corps</translation>
+    </message>
+    <message>
+        <source>Join solids of one body in the CAD program.</source>
+        <translation>Réunissez dans le logiciel de CAO les solides d&apos;un même corps.</translation>
+    </message>
+    <message>
+        <source>has surfaces inside its solid (%1 {1|face|faces}), as cosmetic threads are: they are left out</source>
+        <translation>a des surfaces à l&apos;intérieur de son solide (%1 {1|face|faces}), comme les filetages cosmétiques : elles sont laissées de côté</translation>
+    </message>
+    <message>
+        <source>The solid covers them, so that nothing is missing.</source>
+        <translation>Le solide les recouvre, donc rien ne manque.</translation>
     </message>
 </context>
 <context>
