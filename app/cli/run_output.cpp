@@ -13,6 +13,7 @@
 #include "engine/base/file.h"
 #include "engine/base/json_reader.h"
 #include "engine/base/stop_token.h"
+#include "engine/base/whole_percents.h"
 #include "engine/collision/thread_rule.h"
 #include "engine/files/path_exporter.h"
 #include "engine/files/pulled_threads.h"
@@ -247,9 +248,10 @@ void printText(const SessionSnapshot& end, const CollisionWorld& world, const Co
   console.print({GLISSADE_TEXT("path of %1 {1|configuration|configurations}, %2 m, %3 rad"),
                  {end.path->points.size(), rounded(end.path->length()), rounded(end.path->rotation())}});
   console.print(inWords(end.path->certificate, world));
-  const PerAuthor<double> shares = pathShares(*end.path, world);
+  const std::array shares = wholePercents(pathShares(*end.path, world));
+  const auto percent = [&](std::size_t author) { return std::to_string(shares[author]) + " %"; };
   console.print({GLISSADE_TEXT("of its length by the computer %1, the operator %2, contact %3"),
-                 {percent(shares[0]), percent(shares[1]), percent(shares[2])}});
+                 {percent(0), percent(1), percent(2)}});
 }
 
 int exitCodeOf(const SessionSnapshot& end, const MissingShapes& missing) {

@@ -91,9 +91,10 @@ class ProgressHost final : public SequenceHost {
   }
   const AssembledProduct& product() const { return product_; }
 
-  void asking(std::size_t bodies, int effort) override {
+  void asking(const std::vector<BodyGroup>& groups, int effort) override {
     keep();
-    if (effort > 0) notes_.note({GLISSADE_TEXT("searching motions of %1 {1|part|parts}, effort %2"), {bodies, effort}});
+    if (effort > 0)
+      notes_.note({GLISSADE_TEXT("searching motions of %1 {1|part|parts}, effort %2"), {groups.size(), effort}});
   }
 
   void stepFound(const AssemblyPlan& plan) override {

@@ -27,6 +27,7 @@
 #include "engine/base/number_text.h"
 #include "engine/base/version_text.h"
 #include "engine/files/part_files.h"
+#include "widgets/controls/fresh_tips.h"
 #include "widgets/controls/picture_file.h"
 #include "widgets/help/manual_controller.h"
 #include "widgets/help/manual_writer.h"
@@ -305,7 +306,10 @@ int runApplication(int argc, char** argv, const SceneWidgetFactory& makeScene, S
   }
 
   // A window without a display has no screen to fit.
-  if (clock != SessionClock::Lockstep) application.installEventFilter(new ScreenFit(&application));
+  if (clock != SessionClock::Lockstep) {
+    application.installEventFilter(new ScreenFit(&application));
+    new FreshTips(&application);
+  }
   for (QStringList files = parser.positionalArguments();; files.clear()) {
     MainWindow window(makeScene, clock);
     window.setTheme(themeNamed(theme));

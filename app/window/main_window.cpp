@@ -142,10 +142,10 @@ void MainWindow::addParts() {
   using enum Workspace;
   docks_.addDock({tr("Interaction"), "interaction", DockPlace::Left, {Planning, Study}});
   docks_.addDock({tr("Product"), "product", DockPlace::UpperRight, {Assembly, Study}, DockPlace::Left});
-  docks_.addDock({tr("Contacts"), "contacts", DockPlace::UpperRight, {}});
   docks_.addDock({tr("Run"), "run", DockPlace::UpperRight, {Planning, Study}});
   docks_.addDock({tr("Path"), "path", DockPlace::LowerRight, {Planning, Study}});
   docks_.addDock({tr("Sequence"), "sequence", DockPlace::LowerRight, {Assembly}});
+  docks_.addDock({tr("Contacts"), "contacts", DockPlace::UpperRight, {Assembly}, DockPlace::LowerRight, true});
   docks_.addDock({tr("Log"), "log", DockPlace::LowerRight, {Study}});
   docks_.add({"interaction", tr("Interaction"), "interaction", run->interactionPanel()});
   docks_.add({"product", tr("Bodies"), "scene-tree", assembly->panel(), "panel.scene"});

@@ -75,8 +75,8 @@ LengthUnit unitOf(const LoadedScenario& scenario) {
   constexpr double kMillimetre = 1e-3;
   constexpr double kLargeWorkspace = 2.0;  // metres
   const double ofFile = scenario.product.lengthUnit();
-  if (ofFile == kInch || ofFile == kFoot) return LengthUnit::Inches;
-  if (ofFile == kMillimetre) return LengthUnit::Millimetres;
+  const LengthUnit unit = lengthUnitFor(ofFile);
+  if (unit == LengthUnit::Inches || ofFile == kMillimetre) return unit;
   const bool isLarge = scenario.problem.bounds.sizes().maxCoeff() >= kLargeWorkspace;
   return isLarge ? LengthUnit::Metres : LengthUnit::Millimetres;
 }
@@ -85,6 +85,7 @@ LengthUnit unitOf(const LoadedScenario& scenario) {
 
 /// Shows lengths in the unit that suits the scenario if no unit was chosen.
 void PreferencesController::showLengthUnit() {
+  setPreferredLengthUnit(present_.lengthUnit);
   const ScenarioPtr scenario = bench_.document.scenario();
   const LengthUnit unit = present_.lengthUnit ? *present_.lengthUnit
                           : scenario          ? unitOf(*scenario)

@@ -12,18 +12,20 @@ namespace glissade {
 namespace {
 
 struct Tones {
-  QColor window, base, alternate, button, text, faint, highlight, link, alarm, border;
+  QColor window, base, alternate, button, text, faint, highlight, link, alarm, border, success;
 };
 
 /// The colours of a theme. Every text has a contrast of at least 4.5 against each of its backgrounds
 /// (tests/app/accessibility_test.cpp).
 Tones tonesOf(Theme theme) {
   if (theme == Theme::Dark) {
-    return {QColor("#24272c"), QColor("#1b1d21"), QColor("#212429"), QColor("#31353b"), QColor("#e3e6ea"),
-            QColor("#8b929b"), QColor("#2a78b0"), QColor("#6db3e6"), QColor("#ff8f75"), QColor("#3d4249")};
+    return {QColor("#24272c"), QColor("#1b1d21"), QColor("#212429"), QColor("#31353b"),
+            QColor("#e3e6ea"), QColor("#8b929b"), QColor("#2a78b0"), QColor("#6db3e6"),
+            QColor("#ff8f75"), QColor("#3d4249"), QColor("#5fd3a4")};
   }
-  return {QColor("#f2f4f7"), QColor("#ffffff"), QColor("#f6f8fa"), QColor("#e8ecf1"), QColor("#1d2329"),
-          QColor("#636c76"), QColor("#1f6fae"), QColor("#1f6fae"), QColor("#b3261e"), QColor("#c9d0d8")};
+  return {QColor("#f2f4f7"), QColor("#ffffff"), QColor("#f6f8fa"), QColor("#e8ecf1"),
+          QColor("#1d2329"), QColor("#636c76"), QColor("#1f6fae"), QColor("#1f6fae"),
+          QColor("#b3261e"), QColor("#c9d0d8"), QColor("#00694a")};
 }
 
 QPalette paletteFrom(const Tones& tones) {
@@ -77,6 +79,7 @@ QString styleSheetFrom(const Tones& tones) {
              "#attributes { background: %1; }"  // other editors have this background; on their own colour they would
                                                 // have no edge
              "QLabel#authority { font-weight: 600; }"
+             "QLabel#status[found=\"true\"] { font-weight: 600; color: %6; }"
              "#scene-hint { background: %1; border: 1px solid %2; border-radius: 4px; }"
              "#notice { background: %1; border: 1px solid %2; border-left: 4px solid #d55e00; border-radius: 4px; }"
              "#arrange-bar { background: %1; border: 1px solid %2; border-radius: 4px; }"
@@ -95,7 +98,8 @@ QString styleSheetFrom(const Tones& tones) {
              "QCheckBox::indicator:checked "
              "{ background: %4; border-color: %4; }"
              "#attributes QCheckBox::indicator:indeterminate { background: %5; }")
-      .arg(tones.window.name(), tones.border.name(), tones.button.name(), tones.highlight.name(), tones.faint.name());
+      .arg(tones.window.name(), tones.border.name(), tones.button.name(), tones.highlight.name(), tones.faint.name(),
+           tones.success.name());
 }
 
 /// Draws the outlines of menus and of their check boxes in the colour of disabled text. Fusion's outlines are darker

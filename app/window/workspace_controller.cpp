@@ -57,6 +57,7 @@ void WorkspaceController::follow(Changes what) {
   if (!(what & Change::Scenario) || bench_.document.isTemporary()) return;
   const bool isProduct = isAboutProduct(bench_.document.scenario()->scenario);
   bench_.actions[kWorkspaceActions.of(isProduct ? Workspace::Assembly : Workspace::Planning)]->setChecked(true);
+  if (isProduct) docks_.bringForward("sequence");
 }
 
 }  // namespace glissade

@@ -15,7 +15,7 @@ class ReportingHost final : public SequenceHost {
 
   const StopToken& stopToken() const override { return stop_; }
   ThreadTeam& team() override { return team_; }
-  void asking(std::size_t /*bodies*/, int /*effort*/) override {}
+  void asking(const std::vector<BodyGroup>& /*groups*/, int /*effort*/) override {}
   void stepFound(const glissade::AssemblyPlan& plan) override {
     if (options_.progress) options_.progress(valueOf<AssemblyPlan>({plan}));
   }

@@ -8,6 +8,7 @@
 #include "engine/fits/contact_report.h"
 #include "engine/fits/key_sizes.h"
 #include "engine/fits/thread_pitch.h"
+#include "engine/model/body_path.h"
 #include "engine/sequence/step_motion.h"
 
 namespace glissade {
@@ -300,17 +301,6 @@ std::string nameOfStep(const AssemblyStep& step, const AssembledProduct& product
   }
   return names;
 }
-
-namespace {
-
-std::string withoutNumber(const std::string& name) {
-  const std::size_t number = name.rfind('#');
-  const bool counted = number != std::string::npos && number > 0 &&
-                       name.find_first_not_of("0123456789", number + 1) == std::string::npos;
-  return counted ? name.substr(0, number) : name;
-}
-
-}  // namespace
 
 std::string kindOfPart(const std::string& name) { return withoutNumber(lastStepOf(name)); }
 

@@ -122,8 +122,12 @@ Cut PlacedBodies::cutOf(const Placement& one, const Placement& other, const FitW
   const CutShape shape = cuts_.get({&first, &second}, stop, [&] { return cutShapeOf(first, second, stop); });
   const bool namesOne = fits.isCut(one.body.id);
   const bool namesOther = fits.isCut(other.body.id);
-  const Cut cut =
+  Cut cut =
       pair.isInOrder ? evidence::cutOf(shape, namesOne, namesOther) : evidence::cutOf(shape, namesOther, namesOne);
+  if (cut == Cut::NotClear && fits.acceptedClash == kAdvisedClashes) {
+    const bool takesFirst = first.halfDiagonal <= second.halfDiagonal ? shape.oneStaysWhole : !shape.otherStaysWhole;
+    cut = takesFirst ? Cut::One : Cut::Other;
+  }
   if (pair.isInOrder || (cut != Cut::One && cut != Cut::Other)) return cut;
   return cut == Cut::One ? Cut::Other : Cut::One;
 }

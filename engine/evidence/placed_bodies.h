@@ -37,7 +37,8 @@ class PlacedBodies {
 
   /// The body without the volume that the guest fills, in the body's frame; null if hollowed() gives nothing.
   MeshPtr hollowOf(const Placement& body, const Placement& guest, const StopToken& stop);
-  /// The body that is cut if their clash is accepted.
+  /// The body that is cut if their clash is accepted. Where it is not clear and clashes are accepted as advised, it is
+  /// the smaller one that stays whole.
   Cut cutOf(const Placement& one, const Placement& other, const FitWords& fits, const StopToken& stop);
 
  private:

@@ -94,6 +94,12 @@ std::vector<SnapWay> snapWays(const AssembledProduct& product, std::size_t body,
   return ways;
 }
 
+std::optional<double> leastBend(const AssembledProduct& product, std::size_t body,
+                                const std::vector<std::size_t>& edges, const Vector3& direction,
+                                const StopToken& stop) {
+  return BendTrial(product, body, edges, stop).least(direction, evidence::mostBendOf(*product.bodies[body].mesh));
+}
+
 bool keepsToWay(const Vector3& way, const RigidBody& body, const std::vector<Pose>& path, const RigidBody& other) {
   return evidence::goesAlong(way, {body.id, body.name, body.mesh, body.X_WB}, path,
                              {other.id, other.name, other.mesh, other.X_WB});

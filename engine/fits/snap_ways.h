@@ -20,6 +20,11 @@ struct SnapWay {
 std::vector<SnapWay> snapWays(const AssembledProduct& product, std::size_t body, const std::vector<std::size_t>& edges,
                               const StopToken& stop);
 
+/// The least bend with which the body leaves in this direction, metres; nothing if its hooks do not bend so far, or
+/// after a stop.
+std::optional<double> leastBend(const AssembledProduct& product, std::size_t body,
+                                const std::vector<std::size_t>& edges, const Vector3& direction, const StopToken& stop);
+
 /// True if the judge counts the bend of a hook of either body on the path: see evidence::goesAlong(). `path`:
 /// configurations of the body; `way`: its exit direction, unit, world frame.
 bool keepsToWay(const Vector3& way, const RigidBody& body, const std::vector<Pose>& path, const RigidBody& other);

@@ -32,6 +32,13 @@ std::string pathOf(const std::vector<std::string>& steps) {
   return path;
 }
 
+std::string withoutNumber(const std::string& step) {
+  const std::size_t number = step.rfind('#');
+  const bool counted = number != std::string::npos && number > 0 &&
+                       step.find_first_not_of("0123456789", number + 1) == std::string::npos;
+  return counted ? step.substr(0, number) : step;
+}
+
 bool isNumbered(const std::string& step, const std::string& name) {
   const std::string numbered = name + "#";
   return step.size() > numbered.size() && step.compare(0, numbered.size(), numbered) == 0 &&

@@ -22,6 +22,8 @@ std::string pathOf(const std::vector<std::string>& steps);
 
 /// True if the step is the name with a number, as importers give it to the second of two siblings: "pin#2" for "pin".
 bool isNumbered(const std::string& step, const std::string& name);
+/// The step without the number that distinguishes siblings: "pin" of "pin#2".
+std::string withoutNumber(const std::string& step);
 
 /// Both paths, joined; one of them if the other is empty.
 std::string joinedPath(const std::string& path, const std::string& rest);

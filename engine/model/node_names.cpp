@@ -4,6 +4,8 @@
 #include <cctype>
 #include <string_view>
 
+#include "engine/model/body_path.h"
+
 namespace glissade {
 namespace {
 
@@ -62,7 +64,7 @@ bool isKey(std::string_view name) {
 bool namesTheOccurrence(const std::string& name, const std::string& product) {
   if (std::none_of(name.begin(), name.end(), isLetterOfAnyScript)) return false;
   const std::string own = lowerCased(trimmed(name));
-  const std::string usual = lowerCased(trimmed(product));
+  const std::string usual = lowerCased(trimmed(withoutNumber(product)));
   if (isKey(own)) return false;
   if (usual.empty() || own.compare(0, usual.size(), usual) != 0) return true;
   const std::string_view rest = std::string_view(own).substr(usual.size());

@@ -174,7 +174,7 @@ class GreedySearch {
     const int efforts = std::min(question_.trial.efforts(), kGroupEffort + 1);
     std::set<std::size_t> blocking;
     for (int effort = 0; effort < efforts; ++effort) {
-      host_.asking(1, effort);
+      host_.asking({group}, effort);
       const RemovalAnswer answer = question_.trial.tryRemoval(group, present_, effort, host_.stopToken());
       if (const auto* removed = std::get_if<Removed>(&answer)) {
         const BodyGroup falling = fallingWithout(group);
@@ -369,7 +369,7 @@ class GreedySearch {
   /// missing answer could have been a removal.
   bool ask(const std::vector<BodyGroup>& groups, int effort) {
     if (groups.empty()) return false;
-    host_.asking(groups.size(), effort);
+    host_.asking(groups, effort);
     std::vector<RemovalAnswer> answers(groups.size());
     host_.team().run(groups.size(), [&](std::size_t i) {
       answers[i] = question_.trial.tryRemoval(groups[i], present_, effort, host_.stopToken());
@@ -556,7 +556,7 @@ class GreedySearch {
         }
       }
     }
-    const StuckReasons reasons(question_, present_, refusals_);
+    const StuckReasons reasons(question_, present_, refusals_, host_.stopToken());
     plan_.stuck.push_back({idOf(body), idsOf({blocking.begin(), blocking.end()}), reasons.of(body, holding, blocking)});
   }
 

@@ -17,10 +17,6 @@ bool hasAny(const BodyGroup& group, const std::vector<std::size_t>& bodies) {
   return std::any_of(bodies.begin(), bodies.end(), [&](std::size_t body) { return has(group, body); });
 }
 
-bool isBonded(const Joint& joint) {
-  return joint.kind == JointKind::Insert || joint.kind == JointKind::Permanent || joint.kind == JointKind::Unit;
-}
-
 /// "M3x8" or "ISO 4762 M3x8"; the size of the thread if there is no designation.
 Message sizeInWords(const Joint& joint) {
   if (!joint.designation.empty()) return Message(joint.designation);
@@ -75,6 +71,10 @@ std::vector<long> sizesOf(const Joint& joint) {
 }
 
 }  // namespace
+
+bool isBonded(const Joint& joint) {
+  return joint.kind == JointKind::Insert || joint.kind == JointKind::Permanent || joint.kind == JointKind::Unit;
+}
 
 Joints countingJoints(const Joints& joints, JointUse use) {
   Joints counting;

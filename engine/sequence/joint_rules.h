@@ -14,6 +14,9 @@ namespace glissade {
 /// The joints that count for this use; none if joints are off.
 Joints countingJoints(const Joints& joints, JointUse use);
 
+/// True if the bodies of the joint are one body while it counts.
+bool isBonded(const Joint& joint);
+
 /// Demands of a product's joints on the order of removals and on their motions. Immutable, shared by threads.
 ///
 /// A joint of a screw or a nut is *closed* while the fastener and a part that it is screwed into are there. The clamped

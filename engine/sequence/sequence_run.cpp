@@ -86,7 +86,7 @@ class SavableHost final : public SequenceHost {
 
   const StopToken& stopToken() const override { return host_.stopToken(); }
   ThreadTeam& team() override { return host_.team(); }
-  void asking(std::size_t bodies, int effort) override { host_.asking(bodies, effort); }
+  void asking(const std::vector<BodyGroup>& groups, int effort) override { host_.asking(groups, effort); }
   void stepFound(const AssemblyPlan& plan) override {
     AssemblyPlan savable = plan;
     savable.strategy = request_.strategy;

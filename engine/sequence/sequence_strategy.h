@@ -48,8 +48,8 @@ class SequenceHost {
   virtual const StopToken& stopToken() const = 0;
   /// Threads that carry out trials. Their number does not change the plan.
   virtual ThreadTeam& team() = 0;
-  /// Trials of `bodies` bodies with this effort begin.
-  virtual void asking(std::size_t bodies, int effort) = 0;
+  /// Trials of these groups with this effort begin.
+  virtual void asking(const std::vector<BodyGroup>& groups, int effort) = 0;
   /// The plan so far, which can be resumed as an interrupted one. The predecessors of its steps are not known yet
   /// (AssemblyStep::after is empty).
   virtual void stepFound(const AssemblyPlan& plan) = 0;

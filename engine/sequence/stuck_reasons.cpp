@@ -1,12 +1,33 @@
 #include "engine/sequence/stuck_reasons.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <variant>
 
+#include "engine/base/number_text.h"
+#include "engine/evidence/hook.h"
 #include "engine/fits/fit_refusals.h"
+#include "engine/fits/snap_ways.h"
 #include "engine/geometry/separate_solids.h"
 
 namespace glissade {
+namespace {
+
+/// "+X" or "−Z"; the numbers of another direction.
+std::string wayText(const Vector3& direction) {
+  constexpr std::array kAxes{"+X", "−X", "+Y", "−Y", "+Z", "−Z"};
+  constexpr double kAlongAxis = 0.9999;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const auto name = static_cast<std::size_t>(2 * axis);
+    if (direction[axis] > kAlongAxis) return kAxes[name];
+    if (direction[axis] < -kAlongAxis) return kAxes[name + 1];
+  }
+  const auto digits = [](double value) { return toText(0.01 * std::round(100.0 * value) + 0.0); };  // + 0.0: no "-0"
+  return "(" + digits(direction.x()) + ", " + digits(direction.y()) + ", " + digits(direction.z()) + ")";
+}
+
+}  // namespace
 
 BodyGroup unitOf(std::size_t body, const OrderRules& rules) {
   for (const BodyGroup& group : rules.together) {
@@ -45,6 +66,8 @@ Message StuckReasons::withoutAdvice(std::size_t body, const std::vector<std::siz
   if (Message clashes = ofClashes(unit); !clashes.empty()) return clashes;
   if (!holding.empty())
     return {GLISSADE_TEXT("a constraint states that '%1' is removed before"), {name(holding.front())}};
+  if (stop_.stopRequested()) return GLISSADE_TEXT("planning was stopped before every motion of it was tried");
+  if (Message snaps = ofSnaps(unit); !snaps.empty()) return snaps;
   for (const std::size_t other : blocking) {
     if (question_.staying[other] || !holdEachOther(body, other)) continue;
     if (Message alone = ofOneAlone(unit, blocking); !alone.empty()) return alone;
@@ -92,9 +115,12 @@ bool StuckReasons::isBlockedDirectlyBy(const BodyGroup& unit, std::size_t other)
 Message StuckReasons::ofOneAlone(const BodyGroup& unit, const std::set<std::size_t>& blocking) const {
   for (const std::size_t other : blocking) {
     if (!question_.staying[other] || !blocksAlone(unit, other)) continue;
-    return {GLISSADE_TEXT("'%1' alone blocks every straight motion of it, and no other motion was found; if '%1' is "
-                          "several parts drawn as one, such as a bolt with its nut, draw them apart"),
-            {name(other)}};
+    const Message alone{
+        GLISSADE_TEXT("'%1' alone blocks every straight motion of it, and no other motion was found; if '%1' is "
+                      "several parts drawn as one, such as a bolt with its nut, draw them apart"),
+        {name(other)}};
+    const Message snap = asSnap(unit, other);
+    return snap.empty() ? alone : joined({alone, snap}, "; ");
   }
   return {};
 }
@@ -121,6 +147,60 @@ Message StuckReasons::ofJoints(const BodyGroup& unit) const {
             {words, name(body), name(unit.front())}};
   }
   return {GLISSADE_TEXT("held by %1: remove these first"), {words}};
+}
+
+/// Says which bend is missing of a snap that counts and holds the unit; empty if there is none.
+Message StuckReasons::ofSnaps(const BodyGroup& unit) const {
+  if (question_.joints == nullptr) return {};
+  const auto isOwn = [&](std::size_t body) { return std::binary_search(unit.begin(), unit.end(), body); };
+  const auto isThere = [&](std::size_t body) { return static_cast<bool>(present_[body]); };
+  for (const Joint& joint : question_.joints->joints()) {
+    if (joint.kind != JointKind::Snap || !isThere(joint.body)) continue;
+    if (!std::all_of(joint.others.begin(), joint.others.end(), isThere)) continue;
+    const bool hasHook = isOwn(joint.body);
+    if (hasHook == std::any_of(joint.others.begin(), joint.others.end(), isOwn)) continue;
+    if (Message bend = ofBend(joint, hasHook); !bend.empty()) return bend;
+  }
+  return {};
+}
+
+/// `hasHook`: the hook is on the stuck unit, not on the body that holds it. Empty if the stated bend is enough.
+Message StuckReasons::ofBend(const Joint& snap, bool hasHook) const {
+  const auto least = leastBend(question_.product, snap.body, snap.others, snap.direction, stop_);
+  if (least && *least <= snap.bend) return {};
+  const std::string& other = name(hasHook ? snap.others.front() : snap.body);
+  const std::string way = wayText(hasHook ? snap.direction : Vector3(-snap.direction));
+  if (least) {
+    return {
+        GLISSADE_TEXT("the snap with '%1' was tried in the direction %2 with a bend of %3, and needs %4: change the "
+                      "joint to this bend"),
+        {other, way, Length{snap.bend}, Length{*least}}};
+  }
+  return {GLISSADE_TEXT("the snap with '%1' was tried in the direction %2, and the most that its hook can bend, %3, is "
+                        "too little: change the direction of the joint, or move the part by hand"),
+          {other, way, Length{evidence::mostBendOf(*question_.product.bodies[snap.body].mesh)}}};
+}
+
+/// Tries the unit and the body that holds it as a snap that nobody has stated; empty for large meshes and groups.
+Message StuckReasons::asSnap(const BodyGroup& unit, std::size_t other) const {
+  constexpr std::size_t kMostTriangles = 20'000;  // larger meshes take seconds
+  const auto& bodies = question_.product.bodies;
+  const std::size_t own = unit.front();
+  const std::size_t triangles = bodies[own].mesh->triangles.size() + bodies[other].mesh->triangles.size();
+  if (unit.size() > 1 || triangles > kMostTriangles) return {};
+  for (const bool hasHook : {true, false}) {
+    const std::size_t hook = hasHook ? own : other;
+    for (const SnapWay& way : snapWays(question_.product, hook, {hasHook ? other : own}, stop_)) {
+      if (!(way.bend > 0.0)) continue;
+      return {
+          GLISSADE_TEXT("it would leave in the direction %1 if '%2' bends by %3: make the two a snap with this bend"),
+          {wayText(hasHook ? way.direction : Vector3(-way.direction)), name(hook), Length{way.bend}}};
+    }
+  }
+  const double most = std::max(evidence::mostBendOf(*bodies[own].mesh), evidence::mostBendOf(*bodies[other].mesh));
+  return {GLISSADE_TEXT("as a snap that bends by up to %1 it leaves along no axis: move it by hand, or make the two a "
+                        "permanent joint"),
+          {Length{most}}};
 }
 
 /// Says that the unit is in a thread and cannot be turned out; empty if it is in none.

@@ -20,11 +20,13 @@ using Refusals = std::map<BodyGroup, std::map<int, Refusal>>;  ///< refusals of 
 /// The body with those that leave together with it by a person's demand or a joint; itself alone if there are none.
 BodyGroup unitOf(std::size_t body, const OrderRules& rules);
 
-/// Explains, for people, why bodies did not leave in a finished search. Refers to all arguments.
+/// Explains, for people, why bodies did not leave. Refers to all arguments. `stop`: of the search; a search that it has
+/// stopped has not tried every motion.
 class StuckReasons {
  public:
-  StuckReasons(const SequenceQuestion& question, const BodySet& present, const Refusals& refusals)
-      : question_(question), present_(present), refusals_(refusals) {}
+  StuckReasons(const SequenceQuestion& question, const BodySet& present, const Refusals& refusals,
+               const StopToken& stop)
+      : question_(question), present_(present), refusals_(refusals), stop_(stop) {}
 
   /// `holding`: bodies that are demanded to leave before it; `blocking`: bodies that block its motion.
   Message of(std::size_t body, const std::vector<std::size_t>& holding, const std::set<std::size_t>& blocking) const;
@@ -35,6 +37,9 @@ class StuckReasons {
                         const std::set<std::size_t>& blocking) const;
   Message aboutSolids(std::size_t body) const;
   Message ofJoints(const BodyGroup& unit) const;
+  Message ofSnaps(const BodyGroup& unit) const;
+  Message ofBend(const Joint& snap, bool hasHook) const;
+  Message asSnap(const BodyGroup& unit, std::size_t other) const;
   Message ofTurns(const BodyGroup& unit) const;
   Message ofClashes(const BodyGroup& unit) const;
   Message ofAcceptedClash(std::size_t body, const Fit& clash) const;
@@ -50,6 +55,7 @@ class StuckReasons {
   const SequenceQuestion& question_;
   const BodySet& present_;
   const Refusals& refusals_;
+  const StopToken& stop_;
 };
 
 }  // namespace glissade

@@ -29,7 +29,7 @@ class LineHost final : public SequenceHost {
   explicit LineHost(SequenceHost& host) : host_(host) {}
   const StopToken& stopToken() const override { return host_.stopToken(); }
   ThreadTeam& team() override { return host_.team(); }
-  void asking(std::size_t bodies, int effort) override { host_.asking(bodies, effort); }
+  void asking(const std::vector<BodyGroup>& groups, int effort) override { host_.asking(groups, effort); }
   void stepFound(const AssemblyPlan& /*plan*/) override {}
 
  private:

@@ -823,10 +823,6 @@
         <translation>Suspendre le planificateur, ou le reprendre</translation>
     </message>
     <message>
-        <source>Stop the run; its results are kept</source>
-        <translation>Arrêter le calcul&#xa0;; ses résultats sont conservés</translation>
-    </message>
-    <message>
         <source>Move the object back to the start</source>
         <translation>Ramener l&apos;objet au départ</translation>
     </message>
@@ -1033,10 +1029,6 @@
     <message>
         <source>Pa&amp;use the run</source>
         <translation>&amp;Suspendre le calcul</translation>
-    </message>
-    <message>
-        <source>S&amp;top the run</source>
-        <translation>&amp;Arrêter le calcul</translation>
     </message>
     <message>
         <source>&amp;Restart the run</source>
@@ -2391,10 +2383,6 @@
         <translation>&amp;Finir à ma place</translation>
     </message>
     <message>
-        <source>Let the computer finish the run at full speed, from what your hand has reached</source>
-        <translation>Laisser l&apos;ordinateur finir le calcul à pleine vitesse, à partir de ce que votre main a atteint</translation>
-    </message>
-    <message>
         <source>Done</source>
         <translation>Terminé</translation>
     </message>
@@ -2557,6 +2545,18 @@
     <message>
         <source>Save the pages for the line, once the sequence is planned: what is done, with which tool and which parts</source>
         <translation>Enregistrer les pages pour la ligne, une fois la séquence planifiée : ce qu&apos;il faut faire, avec quel outil et quelles pièces</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>Arrê&amp;ter</translation>
+    </message>
+    <message>
+        <source>Stop the run, or else the work in the background; results are kept</source>
+        <translation>Arrêter l&apos;exécution, ou sinon le travail en arrière-plan&#xa0;; les résultats sont gardés</translation>
+    </message>
+    <message>
+        <source>Let the automatic planners finish the run at full speed, from the way of your hand if it is kept</source>
+        <translation>Laisser les planificateurs automatiques terminer l&apos;exécution à pleine vitesse, depuis le chemin de votre main s&apos;il est gardé</translation>
     </message>
 </context>
 <context>
@@ -9438,14 +9438,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Nommez les solides à sa création&#xa0;: glissade-cli new OUT.json --static FICHIER:PIÈCE/SOLIDE --static FICHIER.</translation>
     </message>
     <message>
-        <source>holds one part of several solids: there is nothing to disassemble</source>
-        <translation>contient une seule pièce de plusieurs solides&#xa0;: il n&apos;y a rien à démonter</translation>
-    </message>
-    <message>
-        <source>Give a product of several parts, or take it as its solids: --open %1.</source>
-        <translation>Donnez un produit de plusieurs pièces, ou prenez-le comme ses solides&#xa0;: --open %1.</translation>
-    </message>
-    <message>
         <source>is damaged, and names the scenario and the settings of the run</source>
         <translation>est endommagée, alors qu&apos;elle nomme le scénario et les réglages du calcul</translation>
     </message>
@@ -11644,16 +11636,52 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <translation>%1, %2 est maintenu (%3)</translation>
     </message>
     <message>
-        <source>Accepted clashes: %1</source>
-        <translation>Interférences acceptées&#xa0;: %1</translation>
-    </message>
-    <message>
         <source>Hold %1.</source>
         <translation>Maintenir %1.</translation>
     </message>
     <message>
         <source>%1, %2 is held</source>
         <translation>%1, %2 est maintenu</translation>
+    </message>
+    <message>
+        <source>planning was stopped before every motion of it was tried</source>
+        <translation>la planification a été arrêtée avant que tous ses mouvements soient essayés</translation>
+    </message>
+    <message>
+        <source>the snap with &apos;%1&apos; was tried in the direction %2 with a bend of %3, and needs %4: change the joint to this bend</source>
+        <translation>le clip avec «&#xa0;%1&#xa0;» a été essayé dans la direction %2 avec une flexion de %3, et il faut %4&#xa0;: donnez cette flexion à la liaison</translation>
+    </message>
+    <message>
+        <source>the snap with &apos;%1&apos; was tried in the direction %2, and the most that its hook can bend, %3, is too little: change the direction of the joint, or move the part by hand</source>
+        <translation>le clip avec «&#xa0;%1&#xa0;» a été essayé dans la direction %2, et la plus grande flexion de son crochet, %3, ne suffit pas&#xa0;: changez la direction de la liaison, ou déplacez la pièce à la main</translation>
+    </message>
+    <message>
+        <source>it would leave in the direction %1 if &apos;%2&apos; bends by %3: make the two a snap with this bend</source>
+        <translation>elle sortirait dans la direction %1 si «&#xa0;%2&#xa0;» fléchit de %3&#xa0;: faites des deux un clip avec cette flexion</translation>
+    </message>
+    <message>
+        <source>as a snap that bends by up to %1 it leaves along no axis: move it by hand, or make the two a permanent joint</source>
+        <translation>comme clip qui fléchit jusqu&apos;à %1, elle ne sort selon aucun axe&#xa0;: déplacez-la à la main, ou faites des deux une liaison permanente</translation>
+    </message>
+    <message>
+        <source>Accepted clashes: %1</source>
+        <translation>Interférences acceptées : %1</translation>
+    </message>
+    <message>
+        <source>holds one part of %1 solids, which are taken as bodies</source>
+        <translation>contient une seule pièce de %1 solides, qui sont pris comme corps</translation>
+    </message>
+    <message>
+        <source>Join solids of one body in the CAD program.</source>
+        <translation>Réunissez dans le logiciel de CAO les solides d&apos;un même corps.</translation>
+    </message>
+    <message>
+        <source>has surfaces inside its solid (%1 {1|face|faces}), as cosmetic threads are: they are left out</source>
+        <translation>a des surfaces à l&apos;intérieur de son solide (%1 {1|face|faces}), comme les filetages cosmétiques : elles sont laissées de côté</translation>
+    </message>
+    <message>
+        <source>The solid covers them, so that nothing is missing.</source>
+        <translation>Le solide les recouvre, donc rien ne manque.</translation>
     </message>
 </context>
 <context>
@@ -11907,10 +11935,6 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <translation>En pause</translation>
     </message>
     <message>
-        <source>Solved: the path is certified free of penetration</source>
-        <translation>Résolu&#xa0;: le chemin est certifié sans pénétration</translation>
-    </message>
-    <message>
         <source>Failed</source>
         <translation>Échec</translation>
     </message>
@@ -11957,6 +11981,10 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>%1 s of %2 s</source>
         <translation>%1 s sur %2 s</translation>
+    </message>
+    <message>
+        <source>✓ Path found: certified free of penetration. Play shows it.</source>
+        <translation>✓ Chemin trouvé&#xa0;: certifié sans pénétration. Lecture le montre.</translation>
     </message>
 </context>
 <context>
@@ -12754,10 +12782,6 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <translation>Endroit où aider, %1 sur %2&#xa0;:</translation>
     </message>
     <message>
-        <source>no passage was found, even for a much thinner object.</source>
-        <translation>aucun passage n&apos;a été trouvé, même pour un objet beaucoup plus mince.</translation>
-    </message>
-    <message>
         <source>the passage is open.</source>
         <translation>le passage est ouvert.</translation>
     </message>
@@ -12780,6 +12804,14 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>%1: next place.</source>
         <translation>%1&#xa0;: endroit suivant.</translation>
+    </message>
+    <message>
+        <source>the computer has not found a way through yet.</source>
+        <translation>l&apos;ordinateur n&apos;a pas encore trouvé de passage.</translation>
+    </message>
+    <message>
+        <source>%1 is in the way, and the computer has not found a way past it yet.</source>
+        <translation>%1 fait obstacle, et l&apos;ordinateur n&apos;a pas encore trouvé comment le passer.</translation>
     </message>
 </context>
 <context>
@@ -14454,10 +14486,6 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <translation>Avec</translation>
     </message>
     <message>
-        <source>Thread</source>
-        <translation>Filetage</translation>
-    </message>
-    <message>
         <source>State</source>
         <translation>État</translation>
     </message>
@@ -14476,6 +14504,14 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>; </source>
         <translation>&#xa0;; </translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>The thread, or the bend of a hook</source>
+        <translation>Le filetage, ou la flexion d&apos;un crochet</translation>
     </message>
 </context>
 <context>
@@ -16481,6 +16517,10 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <source>%1: part of the product&apos;s file, and not of this product</source>
         <translation>%1&#xa0;: fait partie du fichier du produit, mais pas de ce produit</translation>
     </message>
+    <message>
+        <source>Where the origin of the object&apos;s file is then</source>
+        <translation>Où se trouve alors l&apos;origine du fichier de l&apos;objet</translation>
+    </message>
 </context>
 <context>
     <name>glissade::SectionController</name>
@@ -16728,6 +16768,10 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>Certifying the sequence again</source>
         <translation>Nouvelle certification de la séquence</translation>
+    </message>
+    <message>
+        <source>Sequence: %1</source>
+        <translation>Séquence&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -16990,6 +17034,37 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <source>Step %1 of %2: %3</source>
         <translation>Étape %1 sur %2&#xa0;: %3</translation>
     </message>
+    <message>
+        <source>%1 (pressed into %2)</source>
+        <translation>%1 (emmanché dans %2)</translation>
+    </message>
+    <message>
+        <source>%1 (permanent joint with %2)</source>
+        <translation>%1 (liaison permanente avec %2)</translation>
+    </message>
+    <message>
+        <source>%1 (one unit with %2)</source>
+        <translation>%1 (une unité avec %2)</translation>
+    </message>
+    <message>
+        <source>Stays with it: %1.</source>
+        <translation>Reste avec elle&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Constraints have changed: planning begins when you pause, or now by Plan sequence.</source>
+        <translation>Des contraintes ont changé&#xa0;: la planification commence dès que vous faites une pause, ou tout de suite par Planifier la séquence.</translation>
+    </message>
+    <message>
+        <source>Trying %1…</source>
+        <translation>Essai de %1…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Trying %1 and %n more…</source>
+        <translation>
+            <numerusform>Essai de %1 et de %n autre…</numerusform>
+            <numerusform>Essai de %1 et de %n autres…</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>glissade::ShortcutsDialog</name>
@@ -17176,12 +17251,20 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <translation>%1, dans son groupe&#xa0;: %2</translation>
     </message>
     <message>
-        <source>of before</source>
-        <translation>d&apos;avant</translation>
+        <source>earlier plan</source>
+        <translation>plan précédent</translation>
     </message>
     <message>
-        <source>Next: decide about its joints (Contacts &gt; Joints), move it by hand (menu of the row), or see the precedence graph.</source>
-        <translation>Ensuite&#xa0;: décidez de ses liaisons (Contacts &gt; Liaisons), déplacez-le à la main (menu de la ligne), ou consultez le graphe d&apos;antériorité.</translation>
+        <source>%1 was not removed.</source>
+        <translation>%1 n&apos;a pas été démontée.</translation>
+    </message>
+    <message>
+        <source>Next: decide about its fits and joints (Contacts), move it by hand (menu of the row), or see the precedence graph.</source>
+        <translation>Ensuite&#xa0;: décidez de ses ajustements et de ses liaisons (Contacts), déplacez-la à la main (menu de la ligne), ou consultez le graphe d&apos;antériorité.</translation>
+    </message>
+    <message>
+        <source>Next: resume planning.</source>
+        <translation>Ensuite&#xa0;: reprenez la planification.</translation>
     </message>
 </context>
 <context>
@@ -17593,6 +17676,10 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>Not there</source>
         <translation>Absent</translation>
+    </message>
+    <message>
+        <source>The samples were not found. They were searched in:</source>
+        <translation>Les exemples n&apos;ont pas été trouvés. Ils ont été cherchés dans&#xa0;:</translation>
     </message>
 </context>
 <context>

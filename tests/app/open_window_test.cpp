@@ -20,7 +20,10 @@
 #include "engine/import/mesh_import.h"
 #include "tests/engine/support/directories.h"
 #include "tests/widgets/scene3d/unseen_scene.h"
+#include "widgets/controls/body_id_text.h"
 #include "widgets/product/parts_dialog.h"
+#include "widgets/sequence/sequence_panel.h"
+#include "widgets/workbench/scene_target.h"
 
 namespace glissade {
 namespace {
@@ -67,6 +70,9 @@ class OpenWindow : public testing::Test {
         60'000);
   }
 
+  static QString product() {
+    return QString::fromStdString(test::sourceDirectory()) + QStringLiteral("/samples/bolted-brackets/scenario.json");
+  }
   static QString sample() {
     return QString::fromStdString(test::sourceDirectory()) + QStringLiteral("/samples/environment-1/scenario.json");
   }
@@ -242,6 +248,60 @@ TEST_F(PartsInOpenWindow, AnswersWhileManyFilesAreRead) {
   EXPECT_LT(heartbeat.total(), oneByOne);
   EXPECT_LT(heartbeat.longest(), oneByOne / 4);
   EXPECT_EQ(document().scenario()->obstacles.size(), 199U);
+}
+
+/// The Stop of the tool bar stops what runs, whatever it is.
+TEST_F(OpenWindow, StopEndsThePlanningOfASequence) {
+  ASSERT_EQ(window.openScenario(product(), true), std::nullopt);
+  ASSERT_TRUE(isIdle());
+  const QAction& stop = *window.workbench().actions[QStringLiteral("run.stop")];
+  EXPECT_FALSE(stop.isEnabled());
+  window.workbench().actions[QStringLiteral("sequence.plan")]->trigger();
+  EXPECT_TRUE(stop.isEnabled());
+  window.workbench().actions[QStringLiteral("run.stop")]->trigger();
+  ASSERT_TRUE(isIdle());
+  EXPECT_FALSE(stop.isEnabled());
+  EXPECT_EQ(window.findChild<SequencePanel*>()->shown().plan->end, PlanEnd::Interrupted);
+}
+
+TEST_F(OpenWindow, DecisionsInARowMarkThePlanAndBeginNoPlanning) {
+  ASSERT_EQ(window.openScenario(product(), true), std::nullopt);
+  ASSERT_TRUE(isIdle());
+  QAction* plan = window.workbench().actions[QStringLiteral("sequence.plan")];
+  plan->trigger();
+  ASSERT_TRUE(isIdle());
+  const auto& panel = *window.findChild<SequencePanel*>();
+  const PlanPtr earlier = panel.shown().plan;
+  for (const RigidBody& body : {document().scenario()->obstacles[0], document().scenario()->obstacles[1]}) {
+    SemanticSelection bodies;
+    bodies.bodies = {toQString(body.id)};
+    ASSERT_TRUE(document().semantics().setAttribute(bodies, "stays", AttributeValue(true)));
+    EXPECT_TRUE(panel.shown().isWaiting);
+    EXPECT_EQ(panel.shown().before, earlier) << "its rows are grey";
+    EXPECT_FALSE(window.workbench().actions[QStringLiteral("run.stop")]->isEnabled()) << "nothing is planned yet";
+  }
+  plan->trigger();
+  EXPECT_FALSE(panel.shown().isWaiting);
+  ASSERT_TRUE(isIdle());
+  EXPECT_FALSE(panel.shown().growing);
+}
+
+/// A click on the moving part is not one on the body behind it, which Ctrl+click would then take out of the selection.
+TEST_F(OpenWindow, TheMovingPartIsInFrontOfWhatIsBehindIt) {
+  ASSERT_EQ(window.openScenario(sample(), true), std::nullopt);
+  ASSERT_TRUE(isIdle());
+  const Workbench& bench = window.workbench();
+  const QSize size = bench.scene.widget()->size();
+  int onObject = 0;
+  for (int x = 0; x < size.width(); x += 4) {
+    for (int y = 0; y < size.height(); y += 4) {
+      const SceneTarget target = targetAt(bench, QPointF(x, y));
+      if (!target.isObject) continue;
+      ++onObject;
+      EXPECT_EQ(target.body, toQString(document().scenario()->objectBodies.front().id));
+    }
+  }
+  EXPECT_GT(onObject, 0);
 }
 
 }  // namespace

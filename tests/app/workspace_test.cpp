@@ -25,7 +25,7 @@ Names shownDocks(const MainWindow& window) {
 
 void trigger(const MainWindow& window, const char* action) { window.workbench().actions[action]->trigger(); }
 
-const Names kAssembly{"product", "sequence"};
+const Names kAssembly{"product", "contacts", "sequence"};
 const Names kPlanning{"interaction", "run", "path"};
 
 TEST_P(WorkspaceTest, TheWindowHasSevenPanels) {
@@ -40,6 +40,21 @@ TEST_P(WorkspaceTest, AProductOpensInAssemblyAndASampleOfThePapersInPathPlanning
   EXPECT_EQ(shownDocks(*window), kAssembly);
   ASSERT_EQ(window->openScenario(sample("environment-1"), true), std::nullopt);
   EXPECT_EQ(shownDocks(*window), kPlanning);
+}
+
+/// Contacts are a page of their own beside the sequence, with the action that looks for them.
+TEST_P(WorkspaceTest, ContactsAreBesideTheSequenceWhichAnotherProductBringsToTheFront) {
+  const auto window = makeWindow();
+  window->show();
+  ASSERT_EQ(window->openScenario(sample("bolted-brackets"), true), std::nullopt);
+  const auto* sequence = window->findChild<QDockWidget*>(QStringLiteral("sequence"));
+  trigger(*window, "panel.joints");
+  QApplication::processEvents();
+  EXPECT_EQ(shownDocks(*window), kAssembly);
+  EXPECT_TRUE(sequence->visibleRegion().isEmpty());
+  ASSERT_EQ(window->openScenario(sample("roller-stand"), true), std::nullopt);
+  QApplication::processEvents();
+  EXPECT_FALSE(sequence->visibleRegion().isEmpty());
 }
 
 TEST_P(WorkspaceTest, EachRemembersItsPanels) {

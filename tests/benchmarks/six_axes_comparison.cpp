@@ -149,7 +149,7 @@ class SilentHost final : public SequenceHost {
   explicit SilentHost(StopToken stop) : stop_(std::move(stop)) {}
   const StopToken& stopToken() const override { return stop_; }
   ThreadTeam& team() override { return team_; }
-  void asking(std::size_t, int) override {}
+  void asking(const std::vector<BodyGroup>&, int) override {}
   void stepFound(const AssemblyPlan&) override {}
 
  private:

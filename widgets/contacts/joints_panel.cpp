@@ -46,7 +46,8 @@ JointsPanel::JointsPanel(const ActionCatalogue& actions, QWidget* parent)
   filter_->setClearButtonEnabled(true);
   rows_->setObjectName(QStringLiteral("joints-table"));
   rows_->setColumnCount(JointColumns);
-  rows_->setHeaderLabels({tr("Kind"), tr("Body"), tr("With"), tr("Thread"), tr("State")});
+  rows_->setHeaderLabels({tr("Kind"), tr("Body"), tr("With"), tr("Size"), tr("State")});
+  rows_->headerItem()->setToolTip(JointSize, tr("The thread, or the bend of a hook"));
   rows_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   rows_->setAccessibleName(tr("Joints"));
   rows_->sortByColumn(JointType, Qt::AscendingOrder);

@@ -8,16 +8,13 @@
 namespace glissade {
 namespace {
 
-QString wholeWords(const QString& line, const QFontMetrics& metrics, int width) {
-  QString shown = line;
-  for (QString rest = line; metrics.horizontalAdvance(shown) > width;) {
-    const int end = rest.lastIndexOf(QLatin1Char(' '));
-    const bool isNumber = std::any_of(rest.begin(), rest.end(), [](QChar letter) { return letter.isDigit(); });
-    if (end < 0) return isNumber ? QStringLiteral("…") : metrics.elidedText(line, Qt::ElideRight, width);
-    rest.truncate(end);
-    shown = rest + QStringLiteral(" …");
+/// The last blank of the text that is not between a number and its unit; -1 if there is none.
+int lastBreak(const QString& text) {
+  int at = text.lastIndexOf(QLatin1Char(' '));
+  while (at > 0 && at + 1 < text.size() && text[at - 1].isDigit() && text[at + 1].isLetter()) {
+    at = text.lastIndexOf(QLatin1Char(' '), at - 1);
   }
-  return shown;
+  return at;
 }
 
 const QStyle& styleOf(const QStyleOptionViewItem& option) {
@@ -43,6 +40,18 @@ void addFirstLines(const QAbstractItemModel& model, int column, const QModelInde
 }
 
 }  // namespace
+
+QString wholeWords(const QString& line, const QFontMetrics& metrics, int width) {
+  QString shown = line;
+  for (QString rest = line; metrics.horizontalAdvance(shown) > width;) {
+    const int end = lastBreak(rest);
+    const bool isNumber = std::any_of(rest.begin(), rest.end(), [](QChar letter) { return letter.isDigit(); });
+    if (end < 0) return isNumber ? QStringLiteral("…") : metrics.elidedText(line, Qt::ElideRight, width);
+    rest.truncate(end);
+    shown = rest + QStringLiteral(" …");
+  }
+  return shown;
+}
 
 void WholeWordsDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
   QStyleOptionViewItem shown = option;

@@ -10,6 +10,9 @@ class QAbstractItemView;
 
 namespace glissade {
 
+/// The first words of the line that have room, and an ellipsis; a number keeps its unit.
+QString wholeWords(const QString& line, const QFontMetrics& metrics, int width);
+
 /// Shows whole words of lines that are too long, because a number that is cut reads as another number.
 class WholeWordsDelegate : public QStyledItemDelegate {
  public:

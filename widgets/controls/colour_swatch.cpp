@@ -13,6 +13,8 @@ class SwatchEngine : public QIconEngine {
 
   void paint(QPainter* painter, const QRect& square, QIcon::Mode /*mode*/, QIcon::State /*state*/) override {
     painter->fillRect(square.adjusted(1, 1, -1, -1), colour_);
+    painter->setPen(Qt::gray);  // the frame of a swatch that has the colour of the ground
+    painter->drawRect(square.adjusted(1, 1, -2, -2));
   }
 
   QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {

@@ -35,8 +35,13 @@ std::atomic<LengthUnit>& chosenUnit() {
   return unit;
 }
 
-const UnitEntry& unitOfProgram() {
-  switch (chosenUnit().load()) {
+std::optional<LengthUnit>& preferredUnit() {
+  static std::optional<LengthUnit> unit;
+  return unit;
+}
+
+const UnitEntry& entryOf(LengthUnit unit) {
+  switch (unit) {
     case LengthUnit::Millimetres: return kMillimetre;
     case LengthUnit::Inches: return kInchEntry;
     case LengthUnit::Metres: break;
@@ -57,8 +62,8 @@ int decimalsFor(double number) { return std::max(0, static_cast<int>(std::ceil(-
 
 /// The unit in which `decimals(number)` are not too many for a length.
 template <class Decimals>
-const UnitEntry& fittingUnit(double metres, Decimals decimals) {
-  const UnitEntry* unit = &unitOfProgram();
+const UnitEntry& fittingUnit(double metres, Decimals decimals, LengthUnit largest = lengthUnit()) {
+  const UnitEntry* unit = &entryOf(largest);
   while (unit->smaller != nullptr && decimals(metres / unit->metres) > unit->decimals) unit = unit->smaller;
   return *unit;
 }
@@ -80,6 +85,13 @@ LengthUnit lengthUnit() { return chosenUnit().load(); }
 
 void setLengthUnit(LengthUnit unit) { chosenUnit().store(unit); }
 
+void setPreferredLengthUnit(std::optional<LengthUnit> unit) { preferredUnit() = unit; }
+
+LengthUnit lengthUnitFor(double unitOfFile) {
+  const bool isInches = unitOfFile == kInch || unitOfFile == kFoot;
+  return preferredUnit().value_or(isInches ? LengthUnit::Inches : LengthUnit::Millimetres);
+}
+
 double roundLengthUnit() { return lengthUnit() == LengthUnit::Inches ? kInch : 1.0; }
 
 void announceLengthUnit() {
@@ -91,11 +103,11 @@ void announceLengthUnit() {
 
 QString lengthText(double metres) { return lengthsText({metres}, {}); }
 
-QString lengthsText(const std::vector<double>& metres, const QString& separator) {
+QString lengthsText(const std::vector<double>& metres, const QString& separator, LengthUnit largestUnit) {
   constexpr double kLeast = 0.5e-15;  // metres; smaller lengths would be written as 0 µm
   double largest = 0.0;
   for (const double each : metres) largest = std::max(largest, std::abs(each) < kLeast ? 0.0 : std::abs(each));
-  const UnitEntry& unit = fittingUnit(largest, decimalsOf);
+  const UnitEntry& unit = fittingUnit(largest, decimalsOf, largestUnit);
   const int decimals = std::min(decimalsOf(largest / unit.metres), unit.decimals);
   QStringList numbers;
   for (const double each : metres) numbers << numberIn(unit, largest == 0.0 ? 0.0 : each, decimals);
@@ -116,7 +128,7 @@ QString columnLengthText(double metres) {
 
 PlotLengths::PlotLengths(double least) {
   constexpr double kLeastNumber = 0.001;
-  const UnitEntry* unit = &unitOfProgram();
+  const UnitEntry* unit = &entryOf(lengthUnit());
   while (unit->smaller != nullptr && least < kLeastNumber * (1.0 - kRounding) * unit->metres) unit = unit->smaller;
   unit_ = nameOf(*unit);
   metres_ = unit->metres;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <QString>
@@ -15,6 +16,12 @@ enum class LengthUnit { Millimetres, Inches, Metres };
 /// (announceLengthUnit()).
 LengthUnit lengthUnit();
 void setLengthUnit(LengthUnit unit);
+/// The unit that the user has chosen for all scenarios; nothing: it follows the scenario. Called on the GUI thread
+/// only.
+void setPreferredLengthUnit(std::optional<LengthUnit> unit);
+/// The unit in which lengths of a file are shown before a scenario is made of it. `unitOfFile`: metres; 0: the file
+/// states none. Called on the GUI thread only.
+LengthUnit lengthUnitFor(double unitOfFile);
 /// Lets all widgets write their lengths again. Called on the GUI thread only.
 void announceLengthUnit();
 
@@ -27,7 +34,7 @@ double roundLengthUnit();
 QString lengthText(double metres);
 
 /// Lengths of one thing in one unit, with the decimals that lengthText() gives the largest: "40.0 × 12.5 × 3.0 mm".
-QString lengthsText(const std::vector<double>& metres, const QString& separator);
+QString lengthsText(const std::vector<double>& metres, const QString& separator, LengthUnit unit = lengthUnit());
 
 /// The text of a small length (gap, clearance, allowance, thread) in a column, where all are in one unit: inches if the
 /// program's unit is inches, else millimetres. A length that would be written as 0 is a limit: "<0.0001 mm".

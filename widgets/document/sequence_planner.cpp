@@ -5,6 +5,7 @@
 
 #include "engine/base/thread_team.h"
 #include "engine/files/judged_product.h"
+#include "engine/sequence/joint_rules.h"
 #include "engine/sequence/sequence_run.h"
 
 namespace glissade {
@@ -18,10 +19,16 @@ constexpr double kFitsShare = 0.1;
 /// Passes on the messages of the strategy, on the worker's thread.
 class AnnouncingHost final : public SequenceHost {
  public:
-  using Announce = std::function<void(const GrownPlan&)>;
+  struct Announce {
+    std::function<void(const GrownPlan&)> grown;
+    std::function<void(const std::vector<BodyId>&)> tried;
+  };
 
-  AnnouncingHost(const SequenceJob& job, WorkWatch watch, StopSource stop, ThreadTeam& team, Announce announce)
+  /// `joints`: those that count.
+  AnnouncingHost(const SequenceJob& job, Joints joints, WorkWatch watch, StopSource stop, ThreadTeam& team,
+                 Announce announce)
       : job_(job),
+        joints_(std::move(joints)),
         watch_(std::move(watch)),
         stop_(std::move(stop)),
         token_(stop_.token()),
@@ -36,23 +43,29 @@ class AnnouncingHost final : public SequenceHost {
   const StopToken& stopToken() const override { return token_; }
   ThreadTeam& team() override { return team_; }
 
-  void asking(std::size_t /*bodies*/, int /*effort*/) override {}
+  void asking(const std::vector<BodyGroup>& groups, int /*effort*/) override {
+    std::vector<BodyId> bodies;
+    for (const BodyGroup& group : groups) bodies.push_back(job_.product->bodies[group.front()].id);
+    announce_.tried(bodies);
+  }
 
   void stepFound(const AssemblyPlan& plan) override {
     grown_.plan = std::make_shared<const AssemblyPlan>(plan);
+    noteHeld();
     const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
     for (std::size_t i = known_; i < plan.steps.size(); ++i) {
       grown_.foundAfter.try_emplace(plan.steps[i].only().body, seconds);
     }
     const double parts = static_cast<double>(std::max<std::size_t>(1, plan.parts()));
     watch_.report(kFitsShare + (1.0 - kFitsShare) * static_cast<double>(plan.steps.size()) / parts);
-    announce_(grown_);
+    announce_.grown(grown_);
     stopWhereEnough(plan.steps.size());
   }
 
   GrownPlan ended(AssemblyPlan plan) {
     if (job_.mostSteps) keepFirst(*job_.mostSteps, plan);
     grown_.plan = std::make_shared<const AssemblyPlan>(std::move(plan));
+    noteHeld();
     return grown_;
   }
 
@@ -73,11 +86,18 @@ class AnnouncingHost final : public SequenceHost {
     plan.end = PlanEnd::Interrupted;
   }
 
+  void noteHeld() {
+    BodySet staying(job_.product->bodies.size(), false);
+    for (const std::size_t body : job_.product->indicesOf(grown_.plan->staying)) staying[body] = true;
+    grown_.held = heldByBase(*job_.product, joints_, staying, job_.staying);
+  }
+
   void stopWhereEnough(std::size_t steps) {
     if (job_.mostSteps && steps >= *job_.mostSteps) stop_.requestStop();
   }
 
   const SequenceJob& job_;
+  Joints joints_;
   WorkWatch watch_;
   StopSource stop_;
   StopToken token_;
@@ -97,7 +117,7 @@ Result<GrownPlan> planOf(const SequenceJob& job, ProductFinder& finder, const Wo
   const auto found = finder.findings(*job.product, job.classes, job.demands, team, toFind);
   if (!found) return found.error();
   watch.report(kFitsShare);
-  AnnouncingHost host(job, watch, stop, team, announce);
+  AnnouncingHost host(job, countingJoints(found->joints, job.demands.jointUse), watch, stop, team, announce);
   SequenceRequest request{job.staying, job.strategy, job.seed, job.demands, job.resumed.get(), job.known.get()};
   request.joints = &found->joints;
   auto plan = planSequence(*job.product, found->fits, request, host);
@@ -129,9 +149,9 @@ void SequencePlanner::plan(const SequenceJob& job, bool atOnce) {
   drop();
   stop_ = StopSource();
   const std::uint64_t request = request_;
-  const auto announce = [this, request](const GrownPlan& grown) {
-    deliver([this, grown] { emit this->grown(grown); }, request);
-  };
+  const AnnouncingHost::Announce announce{
+      [this, request](const GrownPlan& grown) { deliver([this, grown] { emit this->grown(grown); }, request); },
+      [this, request](const std::vector<BodyId>& bodies) { deliver([this, bodies] { emit tried(bodies); }, request); }};
   planning_ = true;
   task_.start(
       GLISSADE_TEXT("planning the sequence"),

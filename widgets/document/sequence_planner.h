@@ -10,6 +10,7 @@
 #include "engine/documents/plan_words.h"
 #include "engine/sequence/assembly_plan.h"
 #include "engine/sequence/body_group.h"
+#include "engine/sequence/held_by_base.h"
 #include "engine/sequence/order_rules.h"
 #include "engine/sequence/product_finder.h"
 #include "engine/sequence/sequence_run.h"
@@ -39,6 +40,7 @@ struct GrownPlan {
   /// Seconds from the beginning of planning until each motion was found, by the first body of the motion; without those
   /// that were known before.
   std::map<BodyId, double> foundAfter;
+  std::vector<HeldByBase> held{};  ///< why bodies stay with the base
 };
 
 /// Verdict of the independent check on the plan; `said` are a person's statements about the product.
@@ -68,6 +70,8 @@ class SequencePlanner final : public QObject {
 
  signals:
   void grown(const glissade::GrownPlan& plan);
+  /// Motions of these bodies, or of groups that begin with them, are tried now.
+  void tried(const std::vector<glissade::BodyId>& bodies);
   /// Planning ended: the plan is complete, stuck or stopped.
   void planned(const glissade::GrownPlan& plan);
   void judged(const glissade::PlanPtr& plan, const glissade::PlanCheck& check);

@@ -15,7 +15,8 @@ namespace {
 
 constexpr int kCardPadding = 8;
 constexpr int kCardRadius = 6;
-constexpr int kTextLines = 2;
+constexpr int kMostNameLines = 2;
+constexpr int kMostTextLines = 4;
 constexpr double kAwayOpacity = 0.35;
 
 QFont nameFont(const QWidget& card) {
@@ -64,8 +65,18 @@ int WelcomeCard::pictureHeight(int width) const {
   return width * kScenarioPictureSize.height() / kScenarioPictureSize.width();
 }
 
+QStringList WelcomeCard::nameLines(int width) const {
+  return linesOf(entry_.name, nameFont(*this), width - 2 * kCardPadding, kMostNameLines);
+}
+
+QStringList WelcomeCard::textLines(int width) const {
+  const int room = width - 2 * kCardPadding;
+  if (entry_.isOneLine) return {fontMetrics().elidedText(entry_.text, Qt::ElideLeft, room)};
+  return linesOf(entry_.text, font(), room, kMostTextLines);
+}
+
 int WelcomeCard::heightForWidth(int width) const {
-  const int lines = 1 + (entry_.isOneLine ? 1 : kTextLines);
+  const auto lines = static_cast<int>(nameLines(width).size() + textLines(width).size());
   return pictureHeight(width) + lines * fontMetrics().lineSpacing() + 2 * kCardPadding;
 }
 
@@ -97,12 +108,8 @@ void WelcomeCard::drawTexts(QPainter& painter, QRect place) const {
   };
   const QColor faint = palette().color(QPalette::Disabled, QPalette::Text);
   const QColor ink = entry_.isThere ? palette().color(QPalette::Text) : faint;
-  draw(QFontMetrics(bold).elidedText(entry_.name, Qt::ElideRight, place.width()), bold, ink);
-  if (entry_.isOneLine) {
-    draw(fontMetrics().elidedText(entry_.text, Qt::ElideLeft, place.width()), font(), faint);
-    return;
-  }
-  for (const QString& text : linesOf(entry_.text, font(), place.width(), kTextLines)) draw(text, font(), faint);
+  for (const QString& text : nameLines(width())) draw(text, bold, ink);
+  for (const QString& text : textLines(width())) draw(text, font(), faint);
 }
 
 void WelcomeCard::paintEvent(QPaintEvent* /*event*/) {
@@ -181,14 +188,21 @@ int CardGrid::widest() const { return kMostColumns * (kWidestLines * fontMetrics
 int CardGrid::heightForWidth(int width) const {
   if (cards_.empty()) return 0;
   const int rows = (static_cast<int>(cards_.size()) + columnsIn(width) - 1) / columnsIn(width);
-  return rows * (cards_.front()->heightForWidth(cardWidth(width)) + kCardGap) - kCardGap;
+  return rows * (cardHeight(cardWidth(width)) + kCardGap) - kCardGap;
+}
+
+/// All cards are as high as the one with the longest texts.
+int CardGrid::cardHeight(int across) const {
+  int highest = 0;
+  for (const WelcomeCard* card : cards_) highest = std::max(highest, card->heightForWidth(across));
+  return highest;
 }
 
 void CardGrid::arrange() {
   const int columns = columnsIn(width());
   const int across = cardWidth(width());
+  const int down = cardHeight(across);
   for (std::size_t i = 0; i < cards_.size(); ++i) {
-    const int down = cards_[i]->heightForWidth(across);
     const int row = static_cast<int>(i) / columns;
     const int column = static_cast<int>(i) % columns;
     cards_[i]->setGeometry(column * (across + kCardGap), row * (down + kCardGap), across, down);

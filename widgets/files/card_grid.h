@@ -12,12 +12,12 @@ namespace glissade {
 struct WelcomeEntry {
   QString file;  ///< the file that a click opens
   QString name;
-  QString text;            ///< one or two lines
+  QString text;            ///< up to four lines
   QImage light;            ///< picture for a light background; null: none
   QImage dark;             ///< picture for a dark background
   bool isThere = true;     ///< false: grey, and cannot be opened
   QString whole = {};      ///< tool tip; empty: `text`
-  bool isOneLine = false;  ///< `text` is elided in its middle, as paths are
+  bool isOneLine = false;  ///< `text` is elided at its beginning, as paths are
 };
 
 /// A picture with a name and a text. A click, Enter or the space bar chooses it.
@@ -43,6 +43,9 @@ class WelcomeCard final : public QAbstractButton {
 
  private:
   int pictureHeight(int width) const;
+  /// The lines of the name, and of the text, of a card of this width.
+  QStringList nameLines(int width) const;
+  QStringList textLines(int width) const;
   void drawPicture(QPainter& painter, const QRect& place) const;
   void drawTexts(QPainter& painter, QRect place) const;
 
@@ -74,6 +77,7 @@ class CardGrid final : public QWidget {
   int narrowestCard() const;
   int columnsIn(int width) const;
   int cardWidth(int width) const;
+  int cardHeight(int across) const;
   void arrange();
   /// Moves the focus by `by` cards, or further in that direction to the next card that can have the focus.
   bool moveFocus(const QObject* from, int by);

@@ -204,7 +204,7 @@ void FileController::chooseSaveFile() {
 void FileController::trySave(const QString& file) {
   const SaveResult saved = write(file);
   if (saved) {
-    bench_.messages.showStatus(tr("Saved: %1").arg(QDir::toNativeSeparators(file)));
+    bench_.messages.showUntilAction(tr("Saved: %1").arg(QDir::toNativeSeparators(file)));
     if (saved.warnings.empty()) return;
     bench_.messages.showError(tr("The scenario was saved, with a warning"), saved.warnings.front());
     return;

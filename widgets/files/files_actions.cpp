@@ -38,7 +38,7 @@ std::vector<ActionSpec> filesActions() {
        .place = {"menu.file", 2, 20}},
       {.id = "file.close",
        .text = QT_TRANSLATE_NOOP("Actions", "C&lose"),
-       .key = "Ctrl+F4",
+       .key = "Ctrl+W",
        .tip = QT_TRANSLATE_NOOP("Actions", "Close the scenario and show the welcome page"),
        .place = {"menu.file", 1, 50}},
       {.id = "file.new-window",

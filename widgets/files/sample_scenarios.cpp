@@ -42,13 +42,19 @@ const std::vector<SampleScenario>& sampleScenarios() {
 }
 
 QString samplesFolder(const QString& programFolder) {
-  const QString installed = QDir::cleanPath(programFolder + QLatin1Char('/') + kInstalledSamples);
-  if (hasSamples(installed)) return installed;
-  QDir folder(programFolder);
-  for (int level = 0; level < kMostLevelsUp && folder.cdUp(); ++level) {
-    if (hasSamples(folder.filePath(QStringLiteral("samples")))) return folder.filePath(QStringLiteral("samples"));
+  for (const QString& folder : foldersOfSamples(programFolder)) {
+    if (hasSamples(folder)) return folder;
   }
   return {};
+}
+
+QStringList foldersOfSamples(const QString& programFolder) {
+  QStringList folders{QDir::cleanPath(programFolder + QLatin1Char('/') + kInstalledSamples)};
+  QDir folder(programFolder);
+  for (int level = 0; level < kMostLevelsUp && folder.cdUp(); ++level) {
+    folders << folder.filePath(QStringLiteral("samples"));
+  }
+  return folders;
 }
 
 QImage samplePicture(const SampleScenario& sample, bool dark) {

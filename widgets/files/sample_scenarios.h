@@ -2,6 +2,7 @@
 
 #include <QImage>
 #include <QString>
+#include <QStringList>
 
 #include <vector>
 
@@ -20,6 +21,8 @@ const std::vector<SampleScenario>& sampleScenarios();
 /// The folder of the samples, searched from the folder of the program: the installed one, or the one in the source tree
 /// above. Empty if there is none.
 QString samplesFolder(const QString& programFolder);
+/// The folders in which samplesFolder() searches, in its order.
+QStringList foldersOfSamples(const QString& programFolder);
 
 /// The sample's picture from the resources, made by packaging/sample-pictures.sh. Null if the program has none.
 QImage samplePicture(const SampleScenario& sample, bool dark);

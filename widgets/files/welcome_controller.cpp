@@ -73,6 +73,11 @@ WelcomeController::WelcomeController(const Workbench& bench, FileController& fil
   over->setContentsMargins(0, 0, 0, 0);
   over->addWidget(page_);
   page_->setSamples(sampleEntries(samples_));
+  if (samples_.isEmpty()) {
+    const QStringList folders = foldersOfSamples(QCoreApplication::applicationDirPath());
+    page_->setWhyNoSamples(tr("The samples were not found. They were searched in:") + QLatin1Char('\n') +
+                           folders.join(QLatin1Char('\n')));
+  }
   showRecent();
   page_->setFocus();
   connect(page_, &WelcomePage::chosen, &files_, &FileController::openInBackground);

@@ -26,7 +26,7 @@ QLabel* makeTitle(const QString& text, double scale, QWidget* parent) {
 }  // namespace
 
 WelcomePage::WelcomePage(const ActionCatalogue& actions, QWidget* parent)
-    : QScrollArea(parent), content_(new QWidget(this)), buttons_(new QHBoxLayout) {
+    : QScrollArea(parent), content_(new QWidget(this)), buttons_(new QHBoxLayout), whyNoSamples_(new QLabel(content_)) {
   setObjectName(QStringLiteral("welcome"));
   setAccessibleName(tr("Welcome"));
   setFrameShape(QFrame::NoFrame);
@@ -40,6 +40,13 @@ WelcomePage::WelcomePage(const ActionCatalogue& actions, QWidget* parent)
   column->addSpacing(kSectionGap);
   recent_ = makeSection(tr("Recent files"), *column);
   samples_ = makeSection(tr("Samples"), *column);
+  whyNoSamples_->setObjectName(QStringLiteral("why-no-samples"));
+  whyNoSamples_->setTextFormat(Qt::PlainText);
+  whyNoSamples_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  whyNoSamples_->setWordWrap(true);
+  whyNoSamples_->setMinimumWidth(1);
+  whyNoSamples_->hide();
+  column->addWidget(whyNoSamples_);
   column->addStretch(1);
   auto* middle = new QHBoxLayout(content_);
   middle->setContentsMargins(kPageMargin, kPageMargin, kPageMargin, kPageMargin);
@@ -114,5 +121,10 @@ void WelcomePage::fill(const Section& section, const std::vector<WelcomeEntry>& 
 void WelcomePage::setRecent(const std::vector<WelcomeEntry>& entries) { fill(recent_, entries); }
 
 void WelcomePage::setSamples(const std::vector<WelcomeEntry>& entries) { fill(samples_, entries); }
+
+void WelcomePage::setWhyNoSamples(const QString& text) {
+  whyNoSamples_->setText(text);
+  whyNoSamples_->show();
+}
 
 }  // namespace glissade

@@ -21,6 +21,8 @@ class WelcomePage final : public QScrollArea {
   /// Sets the recent files; without any the section is hidden.
   void setRecent(const std::vector<WelcomeEntry>& entries);
   void setSamples(const std::vector<WelcomeEntry>& entries);
+  /// Says in place of the samples why there are none.
+  void setWhyNoSamples(const QString& text);
 
  signals:
   void chosen(const QString& file);
@@ -48,6 +50,7 @@ class WelcomePage final : public QScrollArea {
   QBoxLayout* buttons_;
   Section recent_;
   Section samples_;
+  QLabel* whyNoSamples_;
 };
 
 }  // namespace glissade

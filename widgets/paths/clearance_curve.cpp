@@ -56,6 +56,7 @@ void ClearanceCurve::setProfile(std::shared_ptr<const ClearanceProfile> profile,
   }
   least_ /= kMargin;
   most_ *= kMargin;
+  if (underMouse()) QToolTip::hideText();  // it is about the earlier profile
   setPlace(place_);
 }
 

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/base/whole_percents.h"
 #include "engine/files/scenario_fits.h"
 #include "engine/planning/path_bounds.h"
 #include "widgets/controls/length_text.h"
@@ -279,12 +280,10 @@ void PathPanel::showFigures(const Path& path, const Se3Metric& metric) {
                         .arg(path.points.size())
                         .arg(lengthText(path.length()), number(path.rotation() * 180.0 / std::acos(-1.0), 0)));
   const PerAuthor<double> lengths = path.lengthByAuthor(metric);
-  PerAuthor<QString> percents;
-  for (std::size_t i = 0; i < lengths.size(); ++i) {
-    const double share = slider_->length() > 0.0 ? lengths[i] / slider_->length() : 0.0;
-    percents[i] = number(100.0 * share, 0) + QStringLiteral(" %");
-  }
-  shares_->setShares(lengths, percents);
+  const std::array percents = wholePercents(lengths);
+  PerAuthor<QString> texts;
+  for (std::size_t i = 0; i < lengths.size(); ++i) texts[i] = number(percents[i], 0) + QStringLiteral(" %");
+  shares_->setShares(lengths, texts);
 }
 
 void PathPanel::showFirstBlocked() {

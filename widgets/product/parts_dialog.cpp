@@ -2,7 +2,6 @@
 
 #include <QDialogButtonBox>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHeaderView>
 #include <QScrollBar>
@@ -23,6 +22,7 @@
 #include "widgets/controls/length_text.h"
 #include "widgets/product/part_boxes.h"
 #include "widgets/product/part_pictures.h"
+#include "widgets/workbench/file_dialogs.h"
 
 namespace glissade {
 namespace {
@@ -41,9 +41,9 @@ constexpr int kMeasuredRows = 50;
 /// Files that are read together; the list shows progress after each group.
 constexpr std::size_t kFilesAtOnce = 128;
 
-QString sizeText(const Box3& box) {
+QString sizeText(const Box3& box, LengthUnit unit) {
   const Vector3 size = box.sizes();
-  return lengthsText({size.x(), size.y(), size.z()}, QStringLiteral(" × "));
+  return lengthsText({size.x(), size.y(), size.z()}, QStringLiteral(" × "), unit);
 }
 
 /// The reason without the file's folder, which the row's tooltip states.
@@ -287,8 +287,9 @@ void PartsDialog::takeApart(bool wanted) {
 void PartsDialog::chooseFiles() {
   const QString folder =
       rows_.empty() ? folder_ : QFileInfo(QString::fromStdString(rows_.back().part.path)).absolutePath();
-  addFiles(QFileDialog::getOpenFileNames(this, tr("Add the files of parts"), folder,
-                                         tr("Parts (%1);;All files (*)").arg(partFilePatterns())));
+  const QString filter = tr("Parts (%1);;All files (*)").arg(partFilePatterns());
+  addFiles(
+      QFileDialog::getOpenFileNames(this, tr("Add the files of parts"), folder, filter, nullptr, optionsFor(filter)));
 }
 
 void PartsDialog::removeSelected() {
@@ -395,6 +396,7 @@ void PartsDialog::setMeasured(const std::string& path, const Measured& measured)
   }
   if (measured.parts->size() == 1) {
     rows_[row].inFile = measured.parts->front().inFile;
+    rows_[row].unitOfFile = measured.parts->front().solid.unit;
     rows_[row].picture = iconOf(measured.pictures.front());
     return;
   }
@@ -407,6 +409,7 @@ void PartsDialog::setMeasured(const std::string& path, const Measured& measured)
     parts.push_back(whole);
     parts.back().part.part = part.part;
     parts.back().inFile = part.inFile;
+    parts.back().unitOfFile = part.solid.unit;
     parts.back().picture = iconOf(measured.pictures[i]);
   }
   rows_.insert(rows_.begin() + row, parts.begin(), parts.end());
@@ -486,7 +489,8 @@ void PartsDialog::showSize(int row) {
   if (!inFile) {
     item.setText(QStringLiteral("…"));
   } else if (inFile->ok()) {
-    item.setText(sizeText(boxOfPart(rows_[row].part, **inFile)));
+    const LengthUnit unit = purpose_ == Purpose::AddParts ? lengthUnit() : lengthUnitFor(rows_[row].unitOfFile);
+    item.setText(sizeText(boxOfPart(rows_[row].part, **inFile), unit));
   } else {
     item.setText(tr("cannot be read"));
     item.setToolTip(reasonText(inFile->error()));

@@ -63,6 +63,7 @@ class PartsDialog final : public QDialog {
     PartFile part;
     std::optional<Result<Box3>> inFile;  ///< nothing: not measured yet
     bool unitChosen = false;             ///< a person has chosen the unit
+    double unitOfFile = 0.0;             ///< metres; 0: the file states none
     QIcon picture{};
   };
 

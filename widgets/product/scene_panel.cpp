@@ -5,6 +5,7 @@
 #include <QLocale>
 #include <QSignalBlocker>
 
+#include "engine/files/placement_points.h"
 #include "engine/files/scenario_bodies.h"
 #include "engine/files/scenario_product.h"
 #include "widgets/controls/body_id_text.h"
@@ -23,10 +24,7 @@ constexpr int kNameRole = Qt::UserRole + 4;     // name of a body, as it is show
 
 QIcon swatch(const Colour& colour) { return colourSwatch(QColor::fromRgbF(colour[0], colour[1], colour[2])); }
 
-QString place(const Pose& pose) {
-  const Vector3& at = pose.position;
-  return lengthsText({at.x(), at.y(), at.z()}, QStringLiteral("  "));
-}
+QString place(const Vector3& at) { return lengthsText({at.x(), at.y(), at.z()}, QStringLiteral("  ")); }
 
 bool isObstacle(const QTreeWidgetItem* item) { return item->data(0, kObstacleRole).toBool(); }
 
@@ -106,6 +104,7 @@ QTreeWidgetItem* ScenePanel::addGroup(const QString& title) {
 QTreeWidgetItem* ScenePanel::addEnd(QTreeWidgetItem& group, const QString& text, AssemblyItem::Kind end) {
   auto* item = new QTreeWidgetItem(&group, {text});
   item->setFirstColumnSpanned(true);
+  item->setToolTip(0, tr("Where the origin of the object's file is then"));
   item->setData(0, kEndRole, static_cast<int>(end));
   return item;
 }
@@ -126,9 +125,11 @@ void ScenePanel::setScenario(const LoadedScenario& scenario) {
   clear();
   QTreeWidgetItem* object = addGroup(tr("Object"));
   for (const RigidBody& body : scenario.objectBodies) addBody(*object, body, tr("moving part"));
+  // The point is the one that the placement shows unless a person chooses another.
+  const Vector3 point = placementPoints(scenario, {AssemblyItem::Kind::Start, {}}).fileOrigin;
   const Pose* goal = std::get_if<Pose>(&scenario.problem.goal);
-  addEnd(*object, tr("start  %1").arg(place(scenario.problem.start)), AssemblyItem::Kind::Start);
-  addEnd(*object, tr("goal  %1").arg(goal != nullptr ? place(*goal) : tr("removed")), AssemblyItem::Kind::Goal);
+  addEnd(*object, tr("start  %1").arg(place(scenario.problem.start * point)), AssemblyItem::Kind::Start);
+  addEnd(*object, tr("goal  %1").arg(goal != nullptr ? place(*goal * point) : tr("removed")), AssemblyItem::Kind::Goal);
   obstacles_ = addGroup(tr("Obstacles"));
   addObstacles(scenario);
   addLeftOut(scenario.scenario);
@@ -278,18 +279,20 @@ void ScenePanel::showSelection(const QSet<QString>& bodyIds, const std::optional
   viewport()->update();
 }
 
-/// Takes the selection. A start or goal in it wins over the bodies, because ends are placed one at a time.
+/// Takes the selection. A start or goal counts without bodies only: the row of the start is selected with the moving
+/// part.
 void ScenePanel::takeSelection() {
   QSet<QString> bodies;
+  QVariant end;
   for (const QTreeWidgetItem* item : selectedItems()) {
-    const QVariant end = item->data(0, kEndRole);
-    if (end.isValid()) {
-      emit endChosen(static_cast<AssemblyItem::Kind>(end.toInt()));
-      return;
-    }
+    if (item->data(0, kEndRole).isValid()) end = item->data(0, kEndRole);
     collectBodies(*item, bodies);
   }
-  emit bodiesChosen(bodies);
+  if (bodies.isEmpty() && end.isValid()) {
+    emit endChosen(static_cast<AssemblyItem::Kind>(end.toInt()));
+  } else {
+    emit bodiesChosen(bodies);
+  }
 }
 
 }  // namespace glissade

@@ -216,7 +216,7 @@ void AssistController::look() {
   for (const Pose& q : {place.fromStart, place.narrowest, place.fromGoal}) {
     box.extend(boundingBox(*bench_.document.scenario()->object.mesh, q));
   }
-  bench_.scene.view().camera().zoomTo(box);
+  bench_.scene.view().camera().zoomTo(box, hint_.coveredShare());
   bench_.scene.refresh();
   emit cameraMoved();
 }
@@ -251,12 +251,15 @@ QString AssistController::hintText() const {
   const HelpPlace& place = (*places_)[chosen_];
   const LoadedScenario& scenario = *bench_.document.scenario();
   const QString which = tr("Place to help %1 of %2:").arg(chosen_ + 1).arg(places_->size());
-  QString lack = tr("no passage was found, even for a much thinner object.");
+  const QString body = place.body < 0
+                           ? QString()
+                           : QString::fromStdString(scenario.obstacles[static_cast<std::size_t>(place.body)].shown());
+  QString lack = body.isEmpty() ? tr("the computer has not found a way through yet.")
+                                : tr("%1 is in the way, and the computer has not found a way past it yet.").arg(body);
   if (isOpen(place, scenario.problem.world->objectRadius())) {
     lack = tr("the passage is open.");
-  } else if (place.lacking && place.body >= 0) {
-    const RigidBody& body = scenario.obstacles[static_cast<std::size_t>(place.body)];
-    lack = tr("needs up to %1 more room at %2.").arg(lengthText(*place.lacking), QString::fromStdString(body.shown()));
+  } else if (place.lacking && !body.isEmpty()) {
+    lack = tr("needs up to %1 more room at %2.").arg(lengthText(*place.lacking), body);
   } else if (place.lacking) {
     lack = tr("needs up to %1 more room.").arg(lengthText(*place.lacking));
   }

@@ -21,6 +21,8 @@ class HandHint final : public QObject {
   /// Shows a request to the person, and the next motion of the hand; empty: none.
   void ask(const QString& text);
   void lead(const std::vector<KeyToHold>& keys);
+  /// See SceneHint.
+  double coveredShare() const { return hint_->coveredShare(); }
 
  private:
   void write();

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QStatusBar>
+#include <QStyle>
 #include <QThread>
 
 #include <algorithm>
@@ -107,6 +108,10 @@ void addRunCommands(const Workbench& bench) {
   scripts.add("expect-value", 2, [&session](const Words& words) { return expectValue(session, words); });
   scripts.add("select-operator", 1, [&session](const Words& words) { return selectOperator(session, words[0]); });
   scripts.add("select-strategy", 1, [&session](const Words& words) { return selectStrategy(session, words[0]); });
+  scripts.add("expect-strategy", 1, [&session](const Words& words) -> Outcome {
+    const std::string strategy = session.snapshot() ? session.snapshot()->plannerId : "none";
+    return strategy == words[0] ? Outcome(Done{}) : unmetExpectation("the strategy is " + strategy);
+  });
   scripts.add("wait", 2, [&session](const Words& words) { return wait(session, words[0], words[1]); });
   scripts.add("expect", 1, [&session](const Words& words) -> Outcome {
     if (isIn(session.snapshot(), words[0])) return Done{};
@@ -140,6 +145,7 @@ RunController::RunController(const Workbench& bench)
           [this](const SnapshotPtr& snapshot) { takeSnapshot(*snapshot); });
   connect(&bench.run, &ShownRun::changed, this, &RunController::showRun);
   connect(&bench.run, &ShownRun::liveChanged, this, [this](bool live) { interaction_->setReplayed(!live); });
+  connect(&bench.work, &WorkController::busyChanged, this, [this] { enableActions(bench_.run.snapshot().get()); });
   connect(interaction_, &InteractionPanel::commanded, &bench.session, &SessionBridge::post);
   connect(interaction_, &InteractionPanel::deviceChosen, this,
           [this](const QString& id) { chooseDevice(id.toStdString()); });
@@ -158,7 +164,7 @@ void RunController::connectActions() {
   bench_.onAction("run.pause", this, [this](bool pause) {
     bench_.session.post(pause ? Command(command::Pause{}) : Command(command::Resume{}));
   });
-  bench_.onAction("run.stop", this, [this] { bench_.session.post(command::Stop{}); });
+  bench_.onAction("run.stop", this, [this] { stop(); });
   bench_.onAction("run.finish", this, [this] { finish(); });
   bench_.onAction("run.restart", this, [this] { restart(bench_.document.settings().seed); });
   bench_.onAction("run.restart-new-seed", this, [this] { restart(bench_.document.settings().seed + 1); });
@@ -196,7 +202,7 @@ void RunController::takeSnapshot(const SessionSnapshot& snapshot) {
 /// Keeps the settings in the document. What a step by hand or a run that the computer finishes has changed is kept as
 /// it was before.
 void RunController::keepSettings(const SessionSnapshot& snapshot) {
-  RunSettings settings{snapshot.plannerId, snapshot.seed, finishing_.value_or(snapshot.parameters)};
+  RunSettings settings = finishing_.value_or(RunSettings{snapshot.plannerId, snapshot.seed, snapshot.parameters});
   if (bench_.document.isTemporary()) {
     const RunSettings& before = bench_.document.settings();
     settings.strategy = before.strategy;
@@ -210,8 +216,17 @@ void RunController::showRun(const SnapshotPtr& snapshot) {
   interaction_->setDevice(bench_.session.deviceId());
   counts_->setSnapshot(*snapshot, *bench_.document.scenario());
   status_->setText(bench_.run.isLive() ? stateText(*snapshot) : bench_.run.replayText());
+  markFound(bench_.run.isLive() && snapshot->state == SessionState::Solved && snapshot->run > 0);
   elapsed_->setText(snapshot->run > 0 ? elapsedText(*snapshot) : QString());
   enableActions(snapshot.get());
+}
+
+/// Lets the style sheet mark that a path was found.
+void RunController::markFound(bool found) {
+  if (status_->property("found").toBool() == found) return;
+  status_->setProperty("found", found);
+  status_->style()->unpolish(status_);
+  status_->style()->polish(status_);
 }
 
 QString RunController::stateText(const SessionSnapshot& snapshot) const {
@@ -235,7 +250,7 @@ void RunController::enableActions(const SessionSnapshot* snapshot) {
   const bool running = live && isRunning(*snapshot);
   bench_.enable("run.start", live && !running);
   bench_.enable("run.pause", running);
-  bench_.enable("run.stop", running);
+  bench_.enable("run.stop", running || bench_.work.isBusy());
   bench_.enable("run.finish", running && ledByPerson_ && !finishing_);
   for (const char* id : {"run.restart", "run.restart-new-seed", "run.tuning", "object.to-start"}) {
     bench_.enable(id, live);
@@ -274,15 +289,39 @@ void RunController::start() {
   bench_.session.post(command::Start{});
 }
 
+void RunController::stop() {
+  const SnapshotPtr& snapshot = bench_.run.snapshot();
+  if (snapshot && bench_.run.isLive() && isRunning(*snapshot)) {
+    bench_.session.post(command::Stop{});
+  } else {
+    bench_.work.cancelShown();
+  }
+}
+
+/// The strategy by hand goes on from the way of the hand. Algorithm 1 keeps no way, and would go on as a plain BiRRT:
+/// the strategy "auto" begins in its place.
 void RunController::finish() {
-  finishing_ = bench_.session.snapshot()->parameters;
+  const SessionSnapshot& now = *bench_.session.snapshot();
+  const bool keepsWay = now.plannerId == "by-hand" || now.plannerId == "interactive";
+  finishing_ = {now.plannerId, now.seed, now.parameters};
+  finishingRun_ = keepsWay ? now.run : now.run + 1;
+  if (!keepsWay) {
+    bench_.session.post(command::Stop{});
+    bench_.session.post(command::SetPlanner{"auto"});
+  }
   bench_.session.post(command::SetParameter{ParameterId::Pace, 0.0});
   bench_.session.post(command::SetParameter{ParameterId::Alpha, 1.0});
+  if (!keepsWay) bench_.session.post(command::Start{});
 }
 
 void RunController::followFinish(const SessionSnapshot& snapshot) {
-  if (!finishing_ || isRunning(snapshot)) return;
-  const ParameterValues before = *std::exchange(finishing_, std::nullopt);
+  if (!finishing_ || isRunning(snapshot) || snapshot.run < finishingRun_) return;
+  const RunSettings settings = *std::exchange(finishing_, std::nullopt);
+  const ParameterValues& before = settings.parameters;
+  if (snapshot.plannerId != settings.strategy) {
+    QMetaObject::invokeMethod(
+        this, [this, id = settings.strategy] { bench_.session.post(command::SetPlanner{id}); }, Qt::QueuedConnection);
+  }
   // Setting alpha ends its tuning, so that the tuning comes last.
   for (const ParameterId id : {ParameterId::Alpha, ParameterId::Pace, ParameterId::Tuning}) setLater(id, before[id]);
 }

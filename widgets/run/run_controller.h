@@ -34,6 +34,7 @@ class RunController final : public QObject {
   void takeSnapshot(const SessionSnapshot& snapshot);
   void keepSettings(const SessionSnapshot& snapshot);
   void showRun(const SnapshotPtr& snapshot);
+  void markFound(bool found);
   /// The state of the run, or the first thing to do with a product.
   QString stateText(const SessionSnapshot& snapshot) const;
   void enableActions(const SessionSnapshot* snapshot);
@@ -41,7 +42,10 @@ class RunController final : public QObject {
   void restart(std::uint64_t seed);
   /// Starts a run, with its panel in front. A step by hand has the panel of its sequence.
   void start();
-  /// Gives the rest of the run to the computer, at full speed. Once the run has ended, the settings are as before.
+  /// Stops the run, or else the work in the background, such as the planning of a sequence.
+  void stop();
+  /// Gives the rest of the run to the automatic planners, at full speed. Once they have ended, the settings are as
+  /// before.
   void finish();
   void setLater(ParameterId id, double value);
   void followFinish(const SessionSnapshot& snapshot);
@@ -56,8 +60,9 @@ class RunController final : public QObject {
   CountsPanel* counts_;
   QLabel* status_;
   QLabel* elapsed_;
-  std::optional<ParameterValues> finishing_;  ///< settings of a run by hand that the computer finishes
-  bool ledByPerson_ = false;                  ///< at the last snapshot
+  std::optional<RunSettings> finishing_;  ///< settings of a run by hand that the computer finishes
+  std::uint64_t finishingRun_ = 0;        ///< number of the run that finishes it
+  bool ledByPerson_ = false;              ///< at the last snapshot
 };
 
 }  // namespace glissade

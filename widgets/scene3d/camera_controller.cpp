@@ -42,11 +42,13 @@ void CameraController::showFitted() {
   distance_ = distanceFor(*fitted_);
 }
 
-void CameraController::zoomTo(const Box3& box) {
+void CameraController::zoomTo(const Box3& box, double coveredBelow) {
   if (box.isEmpty()) return;
   fitted_.reset();
   focus_ = box.center();
-  distance_ = std::max(distanceFor(box), kNearestShare * sceneRadius_);
+  distance_ = std::max(distanceFor(box), kNearestShare * sceneRadius_) / (1.0 - coveredBelow);
+  const double halfHeight = distance_ * std::tan(0.5 * fieldOfView_);
+  focus_ -= coveredBelow * halfHeight * (orientation_ * Vector3::UnitY());
 }
 
 /// The least distance from which every corner of a box about the focus is in view.

@@ -34,8 +34,9 @@ class CameraController {
   /// Brings the whole box into view and keeps the direction. The box stays in view for each shape of the view, until
   /// the camera is moved.
   void fit(const Box3& box);
-  /// Shows the box in the middle of the view, as large as possible; the fitted box stays the same.
-  void zoomTo(const Box3& box);
+  /// Shows the box in the middle of the view, as large as possible; the fitted box stays the same. `coveredBelow`:
+  /// share of the view's height, at its lower border, that something else covers.
+  void zoomTo(const Box3& box, double coveredBelow = 0.0);
   void setStandardView(StandardView view);
   /// Looks at the focus from this direction (not zero), with a level horizon.
   void lookFrom(const Vector3& towardsEye);

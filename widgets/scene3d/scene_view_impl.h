@@ -139,9 +139,11 @@ struct SceneView::Impl {
     }
     if (sequence.bodies.empty()) return;
     for (std::size_t i = 0; i < scenario->objectBodies.size(); ++i) {
-      if (!isMarked(scenario->obstacles.size() + i)) continue;
+      const bool isOfStep = isMarked(scenario->obstacles.size() + i);
+      if (!isOfStep && environment.selectedBodies.count(scenario->objectBodies[i].id) == 0) continue;
       const BodyShape& shape = shapes.of(scenario->objectBodies[i].mesh);
-      layer(SceneLayer::Selection).addChild(makeHighlight(shape, inSequence(i).X_WB, palette.stepPart, palette));
+      const osg::Vec4& colour = isOfStep ? palette.stepPart : palette.selection;
+      layer(SceneLayer::Selection).addChild(makeHighlight(shape, inSequence(i).X_WB, colour, palette));
     }
     if (sequence.way.size() > 1) layer(SceneLayer::Selection).addChild(makeWay());
   }

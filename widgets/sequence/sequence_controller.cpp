@@ -67,6 +67,7 @@ SequenceController::SequenceController(const Workbench& bench)
       hand_(new SequenceHand(bench, *this)) {
   connect(&planner_, &SequencePlanner::grown, this, [this](const GrownPlan& grown) { takeGrown(grown, true); });
   connect(&planner_, &SequencePlanner::planned, this, [this](const GrownPlan& grown) { takeGrown(grown, false); });
+  connect(&planner_, &SequencePlanner::tried, panel_, &SequencePanel::setTried);
   connect(&planner_, &SequencePlanner::judged, this,
           [this](const PlanPtr& plan, const PlanCheck& check) { note(plan, check, shown().access); });
   connect(&planner_, &SequencePlanner::failed, &bench.work, &WorkController::reportFailure);
@@ -86,6 +87,10 @@ SequenceController::SequenceController(const Workbench& bench)
     enableActions();
   });
   connect(hand_, &SequenceHand::activityChanged, this, &SequenceController::enableActions);
+  constexpr int kSettlingMilliseconds = 4000;
+  settling_.setSingleShot(true);
+  settling_.setInterval(kSettlingMilliseconds);
+  connect(&settling_, &QTimer::timeout, this, [this] { startPlanning(false, std::nullopt); });
   connectActions();
   enableActions();
   addSequenceCommands(bench, *this);
@@ -130,7 +135,13 @@ void SequenceController::plan(bool resume, std::optional<std::size_t> mostSteps)
   startPlanning(resume, mostSteps);
 }
 
+/// The plan before the present one was begun, as long as that is not complete.
+PlanPtr SequenceController::earlierPlan() const {
+  return shown().growing && shown().before ? shown().before : shown().plan;
+}
+
 void SequenceController::startPlanning(bool resume, std::optional<std::size_t> mostSteps) {
+  settling_.stop();
   const bool goesOn = resume && shown().plan && shown().product;
   SequenceJob job;
   job.product = goesOn ? shown().product : presentProduct();
@@ -158,10 +169,10 @@ void SequenceController::startPlanning(bool resume, std::optional<std::size_t> m
     std::fill(job.staying.begin(), job.staying.end(), false);
     for (const std::size_t body : job.product->indicesOf(job.resumed->staying)) job.staying[body] = true;
   } else {
-    if (shown().product == job.product && shown().plan && !shown().plan->steps.empty()) job.known = shown().plan;
-    const PlanPtr before = shown().product == job.product ? shown().plan : nullptr;
+    const PlanPtr earlier = shown().product == job.product ? earlierPlan() : nullptr;
+    if (earlier && !earlier->steps.empty()) job.known = earlier;
     const auto empty = std::make_shared<const AssemblyPlan>(emptyPlan(*job.product, job.staying));
-    setPlan({job.product, empty, true, {}, {}, {}, before});
+    setPlan({job.product, empty, true, {}, {}, {}, earlier});
   }
   planner_.plan(job, bench_.work.isAtOnce());
   enableActions();
@@ -172,6 +183,7 @@ void SequenceController::takeGrown(const GrownPlan& grown, bool growing) {
   ShownPlan next = shown();
   next.plan = grown.plan;
   next.growing = growing;
+  next.held = grown.held;
   if (!growing) next.before = nullptr;
   next.access = nullptr;
   for (const auto& [body, seconds] : grown.foundAfter) next.foundAfter[body] = seconds;
@@ -185,6 +197,7 @@ void SequenceController::takeGrown(const GrownPlan& grown, bool growing) {
   if (growing) return;
   remember();
   panel_->chooseBody(std::exchange(chosenLater_, {}));
+  if (!bench_.work.isAtOnce()) bench_.messages.showUntilAction(tr("Sequence: %1").arg(panel_->resultText()));
 }
 
 void SequenceController::note(const PlanPtr& plan, const PlanCheck& check, const PlanAccessPtr& access) {
@@ -231,13 +244,14 @@ void SequenceController::followDocument(Changes what) {
     followArrangement((what & Change::Scenario) != 0);
     (void)knowsOtherDemands();
   } else if ((what & (Change::Sequence | Change::Semantics | Change::Joints)) && knowsOtherDemands() && !adopting_) {
-    followDemands();
+    followDemands((what & Change::Sequence) ? Settling::AtOnce : Settling::Later);
   }
 }
 
 /// Follows a changed arrangement. If bodies have moved, the plan is judged again; if they are other bodies, it is
 /// removed. The plan of an opened scenario is judged too.
 void SequenceController::followArrangement(bool another) {
+  settling_.stop();
   planner_.drop();
   panel_->setCost(bench_.document.demands().cost);
   if (another) memory_.clear();
@@ -263,9 +277,12 @@ SequenceDemands SequenceController::statedDemands(const AssembledProduct& produc
   return demands ? *demands : SequenceDemands();
 }
 
-void SequenceController::followDemands() {
+/// Shows a known plan for the changed demands, or plans anew. Decisions about joints come one after another, so that
+/// planning begins when they have settled; the rows of the earlier plan are grey until then.
+void SequenceController::followDemands(Settling settling) {
   panel_->setCost(bench_.document.demands().cost);
   if (!shown().plan) return;
+  settling_.stop();
   planner_.drop();
   BodyId chosen = std::exchange(chosenLater_, {});
   if (chosen.empty()) chosen = panel_->chosenBody();
@@ -274,7 +291,11 @@ void SequenceController::followDemands() {
     panel_->chooseBody(chosen);
   } else {
     chosenLater_ = chosen;
-    startPlanning(false, std::nullopt);
+    if (settling == Settling::AtOnce || bench_.work.isAtOnce()) return startPlanning(false, std::nullopt);
+    const BodySet none(shown().product->bodies.size(), false);
+    const auto empty = std::make_shared<const AssemblyPlan>(emptyPlan(*shown().product, none));
+    setPlan({shown().product, empty, true, {}, {}, {}, earlierPlan(), {}, true});
+    settling_.start();
   }
 }
 
@@ -350,6 +371,7 @@ std::optional<Diagnostic> SequenceController::open(const QString& file) {
   const ProductPtr product = presentProduct();
   const PlanPtr ours = planOf(*product, std::make_shared<const AssemblyPlan>(*plan));
   if (!ours) return checkSameBodies(*plan, *product, name).error();
+  settling_.stop();
   planner_.drop();
   bringToFront();
   // The demands of the document are read before the file's demands replace them.
@@ -496,7 +518,7 @@ void SequenceController::enableActions() {
   const bool open =
       plan && !plan->bodies.empty() && (plan->end == PlanEnd::Interrupted || plan->end == PlanEnd::TimeLimit);
   bench_.enable("sequence.plan", product && !busy && !hand_->isActive());
-  bench_.enable("sequence.resume", open && !busy);
+  bench_.enable("sequence.resume", open && !busy && !shown().growing);
   bench_.enable("sequence.open", product && !busy && !hand_->isActive());
   bench_.enable("sequence.export", steps && !busy);
   bench_.enable("sequence.film", steps && !busy);

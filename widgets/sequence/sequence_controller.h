@@ -74,8 +74,9 @@ class SequenceController final : public QObject {
   void connectActions();
   void followDocument(Changes what);
   void followArrangement(bool another);
-  /// Shows the known plan for changed demands, or plans again.
-  void followDemands();
+  /// Whether planning begins at once, or when no further edit has come for some seconds.
+  enum class Settling { AtOnce, Later };
+  void followDemands(Settling settling);
   bool knowsOtherDemands();
   /// Makes the demands of an opened plan the document's.
   void adoptDemands(const AssemblyPlan& plan);
@@ -84,6 +85,7 @@ class SequenceController final : public QObject {
   /// The last plan for this product and these demands; nothing if there is none.
   std::optional<ShownPlan> rememberedPlan(const ProductPtr& product) const;
   void remember();
+  PlanPtr earlierPlan() const;
   /// Plans as plan(), but does not raise the panel.
   void startPlanning(bool resume, std::optional<std::size_t> mostSteps);
   void takeGrown(const GrownPlan& grown, bool growing);
@@ -115,6 +117,7 @@ class SequenceController final : public QObject {
   FilmJob film_;
   std::vector<ShownPlan> memory_;  ///< the last plans of this scenario, for undo
   BodyId chosenLater_;             ///< empty: the chosen row stays
+  QTimer settling_;                ///< runs after edits that others may follow; planning begins at its end
   bool adopting_ = false;
   std::optional<SequenceDemands>
       knownDemands_;  ///< with those from classes and attributes; nothing: they are contradictory

@@ -179,6 +179,7 @@ void SequencePanel::setPlan(const ShownPlan& shown) {
   const bool samePlan = shown_.plan && shown.plan && shown_.product == shown.product;
   const auto chosen = chosenStep();
   shown_ = shown;
+  if (!shown.growing) tried_.clear();
   const std::size_t steps = shown.plan ? shown.plan->steps.size() : 0;
   if (shown.product && shown.plan) pictures_.draw(shown.product, table_->iconSize().width(), atOnce_);
   table_->show(shown, order_);
@@ -206,20 +207,63 @@ QString SequencePanel::leaving(const AssemblyPlan& plan) {
          tr("%n of them without a certificate.", "", open);
 }
 
+QString SequencePanel::stuckText(const AssemblyPlan& plan) {
+  if (plan.end != PlanEnd::Stuck || plan.parts() == 0) return {};
+  return QLatin1Char(' ') + tr("%n stuck.", "", static_cast<int>(plan.parts() - plan.removed()));
+}
+
+QString SequencePanel::resultText() const {
+  return shown_.plan ? leaving(*shown_.plan) + stuckText(*shown_.plan) : QString();
+}
+
+/// The base, and the bodies that stay with it because they are bonded to it.
+QString SequencePanel::baseText() const {
+  std::vector<BodyId> base = shown_.plan->staying;
+  QStringList held;
+  for (const HeldByBase& each : shown_.held) {
+    std::erase(base, each.body);
+    const QString body = table_->nameOf(each.body);
+    const QString with = table_->nameOf(each.with);
+    if (each.kind == JointKind::Insert) {
+      held << tr("%1 (pressed into %2)").arg(body, with);
+    } else if (each.kind == JointKind::Permanent) {
+      held << tr("%1 (permanent joint with %2)").arg(body, with);
+    } else {
+      held << tr("%1 (one unit with %2)").arg(body, with);
+    }
+  }
+  QString text = tr("Base: %1.").arg(table_->shortNames(base));
+  if (!held.isEmpty()) text += QLatin1Char(' ') + tr("Stays with it: %1.").arg(held.join(QStringLiteral(", ")));
+  return text;
+}
+
+/// The parts that are tried at present.
+QString SequencePanel::planningText() const {
+  constexpr std::size_t kNamed = 2;
+  if (shown_.isWaiting) return tr("Constraints have changed: planning begins when you pause, or now by Plan sequence.");
+  if (tried_.empty()) return tr("Planning…");
+  const std::size_t named = std::min(kNamed, tried_.size());
+  const QString names = table_->shortNames({tried_.begin(), tried_.begin() + static_cast<std::ptrdiff_t>(named)});
+  const auto more = static_cast<int>(tried_.size() - named);
+  return more == 0 ? tr("Trying %1…").arg(names) : tr("Trying %1 and %n more…", "", more).arg(names);
+}
+
+void SequencePanel::setTried(const std::vector<BodyId>& bodies) {
+  if (!shown_.growing) return;
+  tried_ = bodies;
+  summary_->setText(summary());
+}
+
 QString SequencePanel::summary() const {
   if (!shown_.product) return tr("No product is open.");
   if (!shown_.plan) return tr("Not planned yet.");
   const AssemblyPlan& plan = *shown_.plan;
   QString text = leaving(plan);
-  const QString base = table_->shortNames(plan.staying);
-  if (!base.isEmpty()) text += QLatin1Char(' ') + tr("Base: %1.").arg(base);
-  if (shown_.growing) return text + QLatin1Char(' ') + tr("Planning…");
+  if (!plan.staying.empty()) text += QLatin1Char(' ') + baseText();
+  if (shown_.growing) return text + QLatin1Char(' ') + planningText();
   switch (plan.end) {
     case PlanEnd::Complete: break;
-    case PlanEnd::Stuck:
-      if (plan.parts() > 0)
-        text += QLatin1Char(' ') + tr("%n stuck.", "", static_cast<int>(plan.parts() - plan.removed()));
-      break;
+    case PlanEnd::Stuck: text += stuckText(plan); break;
     case PlanEnd::TimeLimit: text += QLatin1Char(' ') + tr("The time limit was reached."); break;
     case PlanEnd::Interrupted: text += QLatin1Char(' ') + tr("Stopped. Results kept."); break;
   }

@@ -25,6 +25,8 @@ class SequencePanel final : public QWidget {
   explicit SequencePanel(const ActionCatalogue& actions, QWidget* parent = nullptr);
 
   void setPlan(const ShownPlan& shown);
+  /// The bodies whose motions are tried now, while the plan grows.
+  void setTried(const std::vector<BodyId>& bodies);
   /// The cost of a step, as in SequenceDemands.
   void setCost(const std::string& cost);
   /// Pictures of parts are drawn before setPlan() returns, if set. It is off by default.
@@ -49,6 +51,8 @@ class SequencePanel final : public QWidget {
   void stepBy(int rows);
   /// The place of the scene in the sequence: "Step 3 of 17: cover". Empty if there are no steps.
   QString placeText() const;
+  /// How many parts leave, and how many are stuck.
+  QString resultText() const;
   /// The names of the bodies that move in a step of the plan.
   QString partsText(std::size_t step) const {
     return QString::fromStdString(nameOfStep(shown_.plan->steps[step], *shown_.product));
@@ -95,9 +99,13 @@ class SequencePanel final : public QWidget {
   int shownRow() const;
   void markRow();
   static QString leaving(const AssemblyPlan& plan);
+  static QString stuckText(const AssemblyPlan& plan);
   QString summary() const;
+  QString baseText() const;
+  QString planningText() const;
 
   ShownPlan shown_;
+  std::vector<BodyId> tried_;  ///< see setTried()
   PlanOrder order_ = PlanOrder::Assembly;
   QLabel* summary_;
   PartPictures pictures_;

@@ -156,10 +156,7 @@ StepTable::StepTable(IconOf iconOf, QWidget* parent) : QTreeWidget(parent), icon
   setDropIndicatorShown(true);
 }
 
-QString StepTable::nameOf(const BodyId& id) const {
-  const auto body = shown_.product->find(id);
-  return QString::fromStdString(body ? shown_.product->bodies[*body].name : id.text());
-}
+QString StepTable::nameOf(const BodyId& id) const { return QString::fromStdString(shownNameOf(id, *shown_.product)); }
 
 /// The names of the bodies, one on each line.
 QString StepTable::allNames(const std::vector<BodyId>& ids) const {
@@ -170,7 +167,7 @@ QString StepTable::allNames(const std::vector<BodyId>& ids) const {
 
 QString StepTable::shortNames(const std::vector<BodyId>& ids) const {
   QStringList names;
-  for (const BodyId& id : ids) names << QString::fromStdString(shownNameOf(id, *shown_.product));
+  for (const BodyId& id : ids) names << nameOf(id);
   return names.join(QStringLiteral(", "));
 }
 
@@ -183,7 +180,7 @@ void StepTable::show(const ShownPlan& shown, PlanOrder order) {
   const std::size_t steps = shown.plan ? shown.plan->steps.size() : 0;
   for (std::size_t place = 0; place < steps; ++place) addStep(place);
   const std::size_t before = shown.growing && shown.before ? shown.before->steps.size() : 0;
-  for (std::size_t i = steps; i < before; ++i) addOfBefore(order == PlanOrder::Assembly ? before - 1 - i + steps : i);
+  for (std::size_t i = steps; i < before; ++i) addEarlier(order == PlanOrder::Assembly ? before - 1 - i + steps : i);
   if (shown.plan && !shown.growing) {
     for (const StuckBody& stuck : shown.plan->stuck) addStuck(stuck);
   }
@@ -200,7 +197,9 @@ void StepTable::fitColumns() {
   const int used = columnWidth(StepNumber) + columnWidth(StepGaps) + state;
   const int inside = width() - 2 * frameWidth() - style()->pixelMetric(QStyle::PM_ScrollBarExtent);
   const int left = inside - used;
-  const int part = std::clamp(left - columnWidth(StepGaps), kLeastPartColumn, kPartColumn);
+  const int tools = std::max(sizeHintForColumn(StepTools), header()->sectionSizeHint(StepTools));
+  const int most = std::max(kPartColumn, left - tools);  // what the tools leave free
+  const int part = std::clamp(left - columnWidth(StepGaps), kLeastPartColumn, most);
   setColumnWidth(StepPart, part);
   setColumnWidth(StepTools, std::max(kLeastToolColumn, left - part));
   setColumnWidth(StepState, state);
@@ -317,14 +316,14 @@ void StepTable::addUnreached(const SubassemblyLine& line, const LineAccess& acce
   for (std::size_t i = 0; i < access.lines.size(); ++i) addUnreached(line.lines[i], access.lines[i], texts);
 }
 
-/// Adds a grey row with a step of the plan of before, which the new plan has not reached.
-void StepTable::addOfBefore(std::size_t step) {
+/// Adds a grey row with a step of the earlier plan, which the new plan has not reached.
+void StepTable::addEarlier(std::size_t step) {
   const AssemblyStep& old = shown_.before->steps[step];
   auto* row = new QTreeWidgetItem(this);
   row->setFlags(Qt::NoItemFlags);
   const QString work = QString::fromStdString(windowPlanWords().work(old, *shown_.product, order_));
   row->setText(StepPart, twoLines(QString::fromStdString(nameOfStep(old, *shown_.product)), work));
-  row->setText(StepState, tr("of before"));
+  row->setText(StepState, tr("earlier plan"));
 }
 
 /// Adds a row with the full reason and the next action, over all columns.
@@ -334,12 +333,13 @@ void StepTable::addStuck(const StuckBody& stuck) {
   row->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
   row->setData(StepNumber, kStuckRole, toQString(stuck.body));
   setIcon(*row, stuck.body);
-  QStringList sentences{tr("%1 is stuck.").arg(shortNames({stuck.body}))};
+  const bool isEnded = shown_.plan->end == PlanEnd::Stuck;
+  QStringList sentences{(isEnded ? tr("%1 is stuck.") : tr("%1 was not removed.")).arg(shortNames({stuck.body}))};
   if (!stuck.blockedBy.empty()) sentences << tr("Blocked by %1.").arg(shortNames(stuck.blockedBy));
   if (!stuck.reason.empty()) sentences << sentence(engineText(stuck.reason));
-  sentences << tr(
-      "Next: decide about its joints (Contacts > Joints), move it by hand (menu of the row), or see the "
-      "precedence graph.");
+  sentences << (isEnded ? tr("Next: decide about its fits and joints (Contacts), move it by hand (menu of the row), or "
+                             "see the precedence graph.")
+                        : tr("Next: resume planning."));
   row->setText(StepNumber, sentences.join(QLatin1Char(' ')));
   row->setToolTip(StepNumber, twoLines(nameOf(stuck.body), allNames(stuck.blockedBy)).trimmed());
 }

@@ -24,7 +24,9 @@ struct ShownPlan {
   std::map<BodyId, double> foundAfter;  ///< see GrownPlan; without motions that were not found here
   PlanCheck check{};                    ///< result of the independent check
   PlanAccessPtr access{};               ///< access of a hand to each step; null: not analysed
-  PlanPtr before{};                     ///< the plan of before, which is shown grey while `plan` grows; null: none
+  PlanPtr before{};                     ///< the earlier plan, which is shown grey while `plan` grows; null: none
+  std::vector<HeldByBase> held{};       ///< why bodies stay with the base; empty: none does, or it is not known
+  bool isWaiting = false;               ///< planning begins once the edits have settled
 };
 
 /// Steps of an assembly plan, two lines for each row, and stuck parts with the whole reason. Steps can be dragged to
@@ -68,7 +70,7 @@ class StepTable final : public QTreeWidget {
   void showGaps(QTreeWidgetItem& row, std::size_t step) const;
   double foundAfter(const AssemblyStep& step) const;
   void addStuck(const StuckBody& stuck);
-  void addOfBefore(std::size_t step);
+  void addEarlier(std::size_t step);
   void fitColumns();
   QStringList unreachedInside(std::size_t step) const;
   void addUnreached(const SubassemblyLine& line, const LineAccess& access, QStringList& texts) const;

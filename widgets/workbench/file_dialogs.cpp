@@ -1,9 +1,9 @@
 #include "widgets/workbench/file_dialogs.h"
 
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 
+#include <algorithm>
 #include <utility>
 
 #include "widgets/workbench/window_memory.h"
@@ -30,12 +30,21 @@ QString keyOf(FilePurpose purpose) {
 
 }  // namespace
 
+QFileDialog::Options optionsFor(const QString& filter) {
+  constexpr int kMostLetters = 60;
+  const QStringList kinds = filter.split(QStringLiteral(";;"));
+  const bool isLong =
+      std::any_of(kinds.begin(), kinds.end(), [](const QString& kind) { return kind.size() > kMostLetters; });
+  return isLong ? QFileDialog::HideNameFilterDetails : QFileDialog::Options();
+}
+
 FileDialogs::FileDialogs(QWidget& window, std::function<QString()> usualFolder)
     : window_(window), usualFolder_(std::move(usualFolder)) {}
 
 QString FileDialogs::open(FilePurpose purpose, const QString& title, const QString& filter, QWidget* parent) {
   QWidget* owner = parent != nullptr ? parent : &window_;
-  const QString file = QFileDialog::getOpenFileName(owner, title, folderOf(purpose), filter);
+  const QString file =
+      QFileDialog::getOpenFileName(owner, title, folderOf(purpose), filter, nullptr, optionsFor(filter));
   noteFile(purpose, file);
   return file;
 }
@@ -51,7 +60,8 @@ QString FileDialogs::save(FilePurpose purpose, const QString& title, const QStri
                           QWidget* parent) {
   const bool hasFolder = QFileInfo(name).path() != QStringLiteral(".");
   const QString proposed = hasFolder ? name : QDir(folderOf(purpose)).filePath(name);
-  const QString file = QFileDialog::getSaveFileName(parent != nullptr ? parent : &window_, title, proposed, filter);
+  const QString file = QFileDialog::getSaveFileName(parent != nullptr ? parent : &window_, title, proposed, filter,
+                                                    nullptr, optionsFor(filter));
   noteFile(purpose, file);
   return file;
 }

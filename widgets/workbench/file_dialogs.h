@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QFileDialog>
 #include <QWidget>
 
 #include <functional>
@@ -11,6 +12,9 @@ class WindowMemory;
 
 /// The purpose of a file that is chosen. Each purpose has its own last folder.
 enum class FilePurpose { Scenario, Parts, Path, Export, Report, Film, Recording, Sequence, Times, Study };
+
+/// How a dialog shows the kinds of files: without their patterns where these would be cut.
+QFileDialog::Options optionsFor(const QString& filter);
 
 /// The dialogs that ask for files. Each begins in the last folder of its purpose, which the window's memory keeps
 /// between sessions; without one, in the folder of the scenario.

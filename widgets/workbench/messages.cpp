@@ -1,7 +1,8 @@
 #include "widgets/workbench/messages.h"
 
-#include <QCoreApplication>
+#include <QApplication>
 #include <QDesktopServices>
+#include <QEvent>
 #include <QFileInfo>
 #include <QPushButton>
 #include <QStatusBar>
@@ -13,8 +14,6 @@
 namespace glissade {
 namespace {
 
-constexpr int kStatusMilliseconds = 10000;
-
 /// Opens the file in the desktop's program, or its folder if no program opens it.
 void openOnDesktop(const QFileInfo& file) {
   if (QDesktopServices::openUrl(QUrl::fromLocalFile(file.absoluteFilePath()))) return;
@@ -24,14 +23,17 @@ void openOnDesktop(const QFileInfo& file) {
 }  // namespace
 
 // The button is in the bar from the start: a widget that comes later makes Qt show again what the message hides.
-Messages::Messages(QMainWindow& window) : window_(window), openSaved_(new QToolButton(window.statusBar())) {
+Messages::Messages(QMainWindow& window, int shownAtLeast)
+    : window_(window), shownAtLeast_(shownAtLeast), openSaved_(new QToolButton(window.statusBar())) {
   openSaved_->setObjectName(QStringLiteral("open-saved"));
   openSaved_->setText(QCoreApplication::translate("Messages", "Open"));
   openSaved_->setFocusPolicy(Qt::TabFocus);
   openSaved_->hide();
   window.statusBar()->addPermanentWidget(openSaved_);
-  QObject::connect(openSaved_, &QToolButton::clicked, [this] { openOnDesktop(saved_); });
-  QObject::connect(window.statusBar(), &QStatusBar::messageChanged, openSaved_, &QWidget::hide);
+  connect(openSaved_, &QToolButton::clicked, this, [this] { openOnDesktop(saved_); });
+  connect(window.statusBar(), &QStatusBar::messageChanged, openSaved_, &QWidget::hide);
+  connect(window.statusBar(), &QStatusBar::messageChanged, this, [this] { kept_.invalidate(); });
+  qApp->installEventFilter(this);
 }
 
 void Messages::showError(const QString& title, const Diagnostic& why) {
@@ -63,11 +65,25 @@ bool Messages::isNewDemandPreferred(const QString& title, const Diagnostic& conf
 
 void Messages::showStatus(const QString& text) {
   log_.add(LogLevel::Information, text);
-  window_.statusBar()->showMessage(text, kStatusMilliseconds);
+  window_.statusBar()->showMessage(text, shownAtLeast_);
+}
+
+void Messages::showUntilAction(const QString& text) {
+  log_.add(LogLevel::Information, text);
+  window_.statusBar()->showMessage(text);
+  kept_.start();
+}
+
+bool Messages::eventFilter(QObject* watched, QEvent* event) {
+  const bool isAction = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::KeyPress;
+  if (isAction && watched != openSaved_ && kept_.isValid() && kept_.elapsed() >= shownAtLeast_) {
+    window_.statusBar()->clearMessage();
+  }
+  return QObject::eventFilter(watched, event);
 }
 
 void Messages::showSaved(const QString& text, const QString& file) {
-  showStatus(text);
+  showUntilAction(text);
   if (quiet_) return;
   saved_.setFile(file);
   openSaved_->setToolTip(QCoreApplication::translate("Messages", "Open %1").arg(saved_.absoluteFilePath()));

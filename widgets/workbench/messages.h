@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QToolButton>
@@ -10,9 +11,10 @@
 namespace glissade {
 
 /// Shows events to the user: errors in a dialog, others in the status bar. The log receives all of them.
-class Messages final {
+class Messages final : public QObject {
  public:
-  explicit Messages(QMainWindow& window);
+  /// `shownAtLeast`: the least time, milliseconds, that a message is shown.
+  explicit Messages(QMainWindow& window, int shownAtLeast = 10'000);
 
   /// Opens no dialogs, because no person can answer them (scripts, pictures).
   void setQuiet(bool quiet) { quiet_ = quiet; }
@@ -23,12 +25,19 @@ class Messages final {
   /// error, and nothing changes.
   bool isNewDemandPreferred(const QString& title, const Diagnostic& conflict);
   void showStatus(const QString& text);
-  /// Shows that a document was saved, with a button that opens it.
+  /// Shows the text until a click or a key after its least time, so that a person who was away can read it.
+  void showUntilAction(const QString& text);
+  /// Shows that a document was saved, until the next action, with a button that opens it.
   void showSaved(const QString& text, const QString& file);
   MessageLog& log() { return log_; }
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   QMainWindow& window_;
+  int shownAtLeast_;
+  QElapsedTimer kept_;      ///< since the message was shown that an action ends; invalid: there is none
   QFileInfo saved_;         ///< the document that the present message is about
   QToolButton* openSaved_;  ///< opens it; hidden where the message is about none
   MessageLog log_;

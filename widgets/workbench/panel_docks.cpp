@@ -17,8 +17,8 @@
 namespace glissade {
 namespace {
 
-/// Grows when docks are added or renamed, because an older layout would hide them.
-constexpr int kLayoutVersion = 3;
+/// Grows when docks are added, renamed, or shown at first elsewhere, because an older layout would hide them.
+constexpr int kLayoutVersion = 4;
 
 /// Largest minimum width of a panel: a screen of 1920 pixels at 200 % has room for two columns of this width beside the
 /// scene.
@@ -212,6 +212,7 @@ void PanelDocks::orderTabStops() {
 }
 
 bool PanelDocks::isShownAtFirst(const Dock& dock) const {
+  if (inOneColumn_ && dock.spec.needsRoom) return false;
   return std::find(dock.spec.workspaces.begin(), dock.spec.workspaces.end(), workspace_) != dock.spec.workspaces.end();
 }
 
@@ -306,6 +307,11 @@ void PanelDocks::show(Workspace workspace) {
   layouts_ = layouts();
   workspace_ = workspace;
   restore();
+}
+
+void PanelDocks::bringForward(const char* dock) {
+  QDockWidget* widget = dockOf(dock).widget;
+  if (!widget->isHidden()) widget->raise();
 }
 
 /// Shows the present workspace as it was left. Tool bars do not belong to workspaces.

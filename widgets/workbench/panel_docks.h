@@ -26,6 +26,7 @@ struct DockSpec {
   DockPlace place;
   std::vector<Workspace> workspaces;                        ///< that show the dock at first
   std::optional<DockPlace> placeInAssembly = std::nullopt;  ///< its place in that workspace, if it is another
+  bool needsRoom = false;  ///< it is not shown at first where all docks are tabs of one column
 };
 
 /// A panel of a dock. Several panels of one dock are its tabs.
@@ -72,6 +73,8 @@ class PanelDocks final {
   Workspace workspace() const { return workspace_; }
   /// Shows the panels of a workspace as they were left.
   void show(Workspace workspace);
+  /// Brings a dock that is shown in front of those at its place.
+  void bringForward(const char* dock);
   /// The layouts of the workspaces that were shown.
   Layouts layouts() const;
   void setLayouts(const Layouts& layouts, Workspace workspace);

@@ -2,6 +2,8 @@
 
 #include <QEvent>
 
+#include <algorithm>
+
 #include "widgets/scene3d/scale_bar.h"
 
 namespace glissade {
@@ -27,6 +29,11 @@ void SceneHint::write(const QString& text) {
   setVisible(!text.isEmpty());
   place();
   if (wasThere || !isHidden()) makeRoom();
+}
+
+double SceneHint::coveredShare() const {
+  if (isHidden() || parentWidget()->height() == 0) return 0.0;
+  return std::min(0.5, static_cast<double>(height() + kSceneHintMargin) / parentWidget()->height());
 }
 
 /// Keeps the scale of the scene above the text.

@@ -13,6 +13,8 @@ class SceneHint final : public QLabel {
 
   /// Shows the text; an empty text hides the label.
   void write(const QString& text);
+  /// Share of the scene's height that the text covers, at the lower border.
+  double coveredShare() const;
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

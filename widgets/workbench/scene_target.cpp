@@ -30,7 +30,9 @@ SceneTarget targetAlong(const Workbench& bench, const Ray& ray) {
   const SceneKnowledgePtr& knowledge = bench.document.knowledge();
   if (knowledge && view.layerVisible(SceneLayer::Places)) {
     target.place = pickPlace(knowledge->environment->map, ray, farthest);
-  } else if (body && !isInObject(scenario, bodies[body->body].id)) {
+  } else if (target.isObject && !view.showsSequence()) {
+    target.body = toQString(scenario.objectBodies.front().id);
+  } else if (body) {
     target.body = toQString(bodies[body->body].id);
   }
   return target;

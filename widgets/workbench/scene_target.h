@@ -12,7 +12,7 @@ namespace glissade {
 /// The item that a ray, or the ray through a point of the scene widget, meets first.
 struct SceneTarget {
   int place = kNoPlace;         ///< the place, if places are shown
-  std::optional<QString> body;  ///< id of the obstacle, if places are not shown
+  std::optional<QString> body;  ///< id of the obstacle or of a body of the object, if places are not shown
   bool isObject = false;        ///< the object is in front of obstacles at this point
 };
 

@@ -59,7 +59,7 @@ QString statusText(const SessionSnapshot& snapshot) {
     case SessionState::Solved:
       if (snapshot.run == 0)
         return say(QT_TRANSLATE_NOOP("Status", "The path is valid: certified free of penetration"));
-      return say(QT_TRANSLATE_NOOP("Status", "Solved: the path is certified free of penetration"));
+      return say(QT_TRANSLATE_NOOP("Status", "✓ Path found: certified free of penetration. Play shows it."));
     case SessionState::Stopped: return say(QT_TRANSLATE_NOOP("Status", "Stopped. Results kept."));
     case SessionState::Failed: return say(QT_TRANSLATE_NOOP("Status", "Failed"));
   }

@@ -31,7 +31,7 @@ WorkController::WorkController(SessionBridge& bridge, const ActionCatalogue& act
   busy_->hide();
   connect(&bridge, &SessionBridge::snapshotChanged, this,
           [this](const SnapshotPtr& snapshot) { followRun(*snapshot); });
-  connect(cancel_, &QAction::triggered, this, [this] { cancelAll(); });
+  connect(cancel_, &QAction::triggered, this, [this] { cancelShown(); });
   connect(&task_, &BackgroundTask::progressed, busy_, &BusyBar::setShare);
   connect(&task_, &BackgroundTask::failed, this, &WorkController::reportFailure);
   connect(&task_, &BackgroundTask::ended, this, [this] {
@@ -143,14 +143,15 @@ void WorkController::endBar() {
   const QString what = std::exchange(shown_, QString());
   const bool cancelled = cancelled_;
   if (!others_.empty()) beginBar(others_.back().what, others_.back().since);
-  if (what.isEmpty() || seconds < kTellFrom) return;
+  // The result of the work, such as the file that it has saved, is more than that it has ended.
+  if (what.isEmpty() || seconds < kTellFrom || !bar_->currentMessage().isEmpty()) return;
   const QString time = QLocale().toString(seconds, 'f', 0);
   bar_->showMessage(
       cancelled ? tr("%1: cancelled after %2 s").arg(what, time) : tr("%1: ended after %2 s").arg(what, time),
       kTellMilliseconds);
 }
 
-void WorkController::cancelAll() {
+void WorkController::cancelShown() {
   cancelled_ = true;
   if (task_.isBusy()) {
     task_.cancel();
@@ -162,6 +163,9 @@ void WorkController::cancelAll() {
   }
 }
 
-void WorkController::enable() { cancel_->setEnabled(task_.isBusy() || !others_.empty() || pathWork_); }
+void WorkController::enable() {
+  cancel_->setEnabled(isBusy());
+  emit busyChanged();
+}
 
 }  // namespace glissade

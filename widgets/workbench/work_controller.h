@@ -45,6 +45,10 @@ class WorkController final : public QObject {
   void endOther(const QObject& owner);
   /// Cancels the running work, unless runToEnd() started it, and the waiting one.
   void cancel();
+  /// Cancels the work that the bar shows, as the user does.
+  void cancelShown();
+  /// Whether the bar shows work.
+  bool isBusy() const { return task_.isBusy() || !others_.empty() || pathWork_; }
 
   /// Announces an exception by failed(), but a repeated one only once (an error in drawing comes with every picture).
   void reportFailure(const Diagnostic& why);
@@ -54,6 +58,8 @@ class WorkController final : public QObject {
  signals:
   /// An exception ended work or an event handler.
   void failed(const glissade::Diagnostic& why);
+  /// Work has begun or ended.
+  void busyChanged();
 
  private:
   /// Shows the work of the session on paths, which can be cancelled here too.
@@ -74,7 +80,6 @@ class WorkController final : public QObject {
 
   void run(const Job& job);
   void begin(const Job& job);
-  void cancelAll();
   void enable();
   /// Shows this work in the bar from now on.
   void beginBar(const QString& what, const QElapsedTimer& since = startedNow());

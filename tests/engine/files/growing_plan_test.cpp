@@ -14,7 +14,7 @@ class KeepingHost final : public SequenceHost {
  public:
   const StopToken& stopToken() const override { return stop_; }
   ThreadTeam& team() override { return team_; }
-  void asking(std::size_t, int) override {}
+  void asking(const std::vector<BodyGroup>&, int) override {}
   void stepFound(const AssemblyPlan& plan) override { plans.push_back(plan); }
 
   std::vector<AssemblyPlan> plans;

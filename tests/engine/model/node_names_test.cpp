@@ -47,6 +47,7 @@ TEST(NodeNames, TheOccurrenceComesBeforeTheDesignatorAndTheProduct) {
   EXPECT_EQ(shownName({"C_0603", "NAUO4", "C4"}), "C4");
   EXPECT_EQ(shownName({"C_0603", "C_0603:4", "C_0603:4"}), "C_0603");
   EXPECT_EQ(shownName({"", "", ""}), "");
+  EXPECT_EQ(shownName({"C_0603#2", "C_0603:2", "C_0603:2"}), "C_0603#2") << "as a scenario keeps the second one";
 }
 
 }  // namespace

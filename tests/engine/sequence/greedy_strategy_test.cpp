@@ -215,5 +215,16 @@ TEST(GreedyStrategy, StopsWithThePlanSoFar) {
   EXPECT_TRUE(plan.stuck.empty()) << "nobody was asked";
 }
 
+TEST(GreedyStrategy, APartThatWasNotAskedToTheEndSaysThatPlanningWasStopped) {
+  const AssembledProduct product = boxes(4);
+  std::vector<RuledTrial::Rule> rules(4);
+  rules[3].blockedBy = {0};
+  RuledTrial trial(rules);
+  const AssemblyPlan plan = planned(product, trial, nullptr, 1);
+  EXPECT_EQ(plan.end, PlanEnd::Interrupted);
+  ASSERT_EQ(plan.stuck.size(), 1U);
+  EXPECT_EQ(toString(plan.stuck[0].reason), "planning was stopped before every motion of it was tried");
+}
+
 }  // namespace
 }  // namespace glissade

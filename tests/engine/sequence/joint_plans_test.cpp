@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "engine/files/judged_product.h"
+#include "engine/sequence/held_by_base.h"
 #include "engine/sequence/joined_units.h"
 #include "engine/sequence/joint_removal.h"
 #include "engine/sequence/joint_rules.h"
@@ -395,6 +396,20 @@ TEST(JointPlan, AnInsertLeavesWithItsHostAndIsCounted) {
   const AssemblyPlan pressedIntoTheBase = planOf(product, {jointOf(JointKind::Insert, 2, {0})}, "base");
   EXPECT_EQ(pressedIntoTheBase.staying, (std::vector<BodyId>{"base", "screw"}));
   EXPECT_EQ(pressedIntoTheBase.parts(), 1U);
+}
+
+TEST(JointPlan, WhatStaysWithTheBaseIsNamedWithItsJoint) {
+  const AssembledProduct product = boxesInARow(6);
+  const Joints joints{jointOf(JointKind::Insert, 1, {0}), jointOf(JointKind::Permanent, 2, {1}),
+                      jointOf(JointKind::Unit, 3, {4}), jointOf(JointKind::Pin, 5, {0})};
+  const BodySet base{true, false, false, false, false, false};
+  const auto held = heldByBase(product, joints, {true, true, true, false, false, false}, base);
+  ASSERT_EQ(held.size(), 2U);
+  EXPECT_EQ(held[0].body, product.bodies[1].id);
+  EXPECT_EQ(held[0].kind, JointKind::Insert);
+  EXPECT_EQ(held[0].with, product.bodies[0].id);
+  EXPECT_EQ(held[1].body, product.bodies[2].id);
+  EXPECT_EQ(held[1].with, product.bodies[1].id);
 }
 
 TEST(JointPlan, AFlexibleBodyLeavesWithoutAProofBeforeWhatItGoesAround) {

@@ -90,7 +90,7 @@ class QuietHost final : public SequenceHost {
   }
   const StopToken& stopToken() const override { return stop_; }
   ThreadTeam& team() override { return team_; }
-  void asking(std::size_t, int) override {}
+  void asking(const std::vector<BodyGroup>&, int) override {}
   void stepFound(const AssemblyPlan&) override {
     if (--left_ == 0) source_.requestStop();
   }

@@ -1,4 +1,5 @@
 // A cap whose annular hook is behind the edge of a hole: it leaves only where a person permits the hook to bend.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -75,6 +76,8 @@ AssemblyPlan planOf(AssembledProduct product, const Joints& joints, JointUse use
   return std::move(*plan);
 }
 
+std::string inMillimetres(double metres) { return toString(Message(GLISSADE_TEXT("%1"), {Length{metres}})); }
+
 bool isValid(const AssemblyPlan& plan, const AssembledProduct& product) {
   return judgePlan(plan, product, std::nullopt, {}).valid();
 }
@@ -133,6 +136,31 @@ TEST(SnapPlans, ABendCountsOnlyWhereAPersonConfirmsIt) {
   ASSERT_EQ(plan.steps[0].only().joints.size(), 1U);
   EXPECT_EQ(plan.steps[0].only().joints[0].bend, found[0].bend);
   EXPECT_TRUE(isValid(plan, product));
+}
+
+TEST(SnapPlans, AStuckPartSaysWhichBendIsMissing) {
+  const AssembledProduct product = cappedHole(0.0004);
+  Joints found = findJoints(product);
+  ASSERT_EQ(found.size(), 1U);
+  const double needed = found[0].bend;
+  found[0].bend = 0.5 * needed;
+  const AssemblyPlan plan = planOf(product, found, JointUse::Suggested);
+  ASSERT_EQ(plan.stuck.size(), 1U);
+  EXPECT_EQ(toString(plan.stuck[0].reason), "the snap with 'plate' was tried in the direction +Z with a bend of " +
+                                                inMillimetres(0.5 * needed) + ", and needs " + inMillimetres(needed) +
+                                                ": change the joint to this bend");
+}
+
+TEST(SnapPlans, APartThatIsClippedInSaysWhichSnapWouldLetItGo) {
+  const AssembledProduct product = cappedHole(0.0004);
+  const AssemblyPlan plan = planOf(product, {}, JointUse::Suggested);
+  ASSERT_EQ(plan.stuck.size(), 1U);
+  EXPECT_THAT(toString(plan.stuck[0].reason),
+              testing::HasSubstr("it would leave in the direction +Z if 'cap clip' bends by "));
+  const AssemblyPlan tooLarge = planOf(cappedHole(0.0025), {}, JointUse::Suggested);
+  ASSERT_EQ(tooLarge.stuck.size(), 1U);
+  EXPECT_THAT(toString(tooLarge.stuck[0].reason), testing::HasSubstr("if 'plate' bends by 3 mm"))
+      << "not the thick hook";
 }
 
 /// The plan keeps its motion and its allowance; the statement on which it relies is changed or removed.

@@ -99,7 +99,7 @@ class AskedOften final : public SequenceHost {
   explicit AskedOften(std::size_t most) : left_(most) {}
   const StopToken& stopToken() const override { return stop_; }
   ThreadTeam& team() override { return team_; }
-  void asking(std::size_t, int) override {
+  void asking(const std::vector<BodyGroup>&, int) override {
     if (left_-- == 0) source_.requestStop();
   }
   void stepFound(const AssemblyPlan&) override {}

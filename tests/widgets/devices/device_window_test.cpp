@@ -66,6 +66,17 @@ TEST_F(DeviceWindow, TheComputerFinishesARunByHandOnRequest) {
   EXPECT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
 }
 
+/// Algorithm 1 at alpha = 1 would be a plain BiRRT: the strategy "auto" finishes the run, and the strategy is as before
+/// when it has ended.
+TEST_F(DeviceWindow, TheAutomaticPlannersFinishARunOfAlgorithm1) {
+  const WindowResult outcome = run(
+      QStringLiteral("sliding-plane"),
+      QStringLiteral("select-operator hand\nselect-strategy contact-birrt\nset alpha 0\naction run.start\nsteps 50\n"
+                     "expect planning\naction run.finish\nsteps 1\nexpect-strategy auto\nwait solved 100000\n"
+                     "steps 1\nexpect-strategy contact-birrt\nexpect-value alpha 0\n"));
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
+}
+
 TEST_F(DeviceWindow, ScriptsAboutDevicesSayWhereTheyGoWrong) {
   for (const char* line : {"plug telepathy X", "deflect mouse6d 1 2 3 4 5 six", "press gamepad 99"}) {
     EXPECT_EQ(run(QStringLiteral("sliding-plane"), QString::fromLatin1(line)).exitCode, 3) << line;

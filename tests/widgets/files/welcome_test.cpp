@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <QCryptographicHash>
+#include <QDir>
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -53,6 +54,14 @@ TEST(SampleScenarios, AreFoundWhereTheyAreInstalled) {
   QFile file(root.filePath(QStringLiteral("share/glissade/samples/teaching/scenario.json")));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   EXPECT_EQ(samplesFolder(programs), root.filePath(QStringLiteral("share/glissade/samples")));
+}
+
+TEST(SampleScenarios, TheFoldersOfTheSearchAreNamedWhereThereAreNone) {
+  const QTemporaryDir root;
+  ASSERT_TRUE(QDir(root.path()).mkpath(QStringLiteral("build/bin")));
+  const QStringList folders = foldersOfSamples(root.filePath(QStringLiteral("build/bin")));
+  EXPECT_EQ(folders.front(), root.filePath(QStringLiteral("share/glissade/samples")));
+  EXPECT_TRUE(folders.contains(root.filePath(QStringLiteral("samples"))));
 }
 
 QImage pictureIn(const QColor& colour) {
@@ -111,6 +120,17 @@ TEST(Cards, AreOpenedByEnterAndReachedByArrows) {
   press(cards[2], Qt::Key_Return);
   ASSERT_EQ(chosen.count(), 1);
   EXPECT_EQ(chosen.front().front().toString(), QStringLiteral("c"));
+}
+
+TEST(Cards, GrowWithTheirTexts) {
+  QWidget window;
+  CardGrid grid(&window);
+  grid.setEntries({entryOf("a"), entryOf("b")});
+  const int oneLine = grid.heightForWidth(grid.widest());
+  WelcomeEntry large = entryOf("b");
+  large.text = QStringLiteral("A cluttered environment of the first paper that needs some lines to be described here");
+  grid.setEntries({entryOf("a"), large});
+  EXPECT_GT(grid.heightForWidth(grid.widest()), oneLine) << "all cards of a grid have the height of the largest one";
 }
 
 TEST(Cards, AreInFewerColumnsWhereThereIsLessRoom) {

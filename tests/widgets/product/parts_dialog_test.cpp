@@ -13,6 +13,7 @@
 
 #include "tests/engine/support/part_fixture.h"
 #include "tests/engine/support/step_files.h"
+#include "widgets/controls/length_text.h"
 
 namespace glissade {
 namespace {
@@ -188,6 +189,18 @@ TEST_F(PartsPage, AddedPartsDoNotMove) {
   EXPECT_TRUE(mayAccept(dialog));
   choose(dialog, 1, PartsDialog::kRole, "Mobile");
   EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kStatic, kMobile}));
+}
+
+/// The scenario that is open is another one.
+TEST_F(PartsPage, TheSizeOfANewScenarioIsInTheUnitOfItsFile) {
+  setLengthUnit(LengthUnit::Metres);
+  const PartsDialog dialog(Purpose::NewScenario, {text(test::stepFile("box.step"))}, true);
+  EXPECT_TRUE(size(dialog, 0).endsWith(QStringLiteral(" mm"))) << size(dialog, 0).toStdString();
+  setPreferredLengthUnit(LengthUnit::Metres);
+  const PartsDialog preferred(Purpose::NewScenario, {text(test::stepFile("box.step"))}, true);
+  EXPECT_TRUE(size(preferred, 0).endsWith(QStringLiteral(" m"))) << size(preferred, 0).toStdString();
+  setPreferredLengthUnit(std::nullopt);
+  setLengthUnit(LengthUnit::Millimetres);
 }
 
 TEST_F(PartsPage, TheSizeFollowsUnitAndAxis) {

@@ -15,6 +15,7 @@ class ScenePanelTest : public ::testing::Test {
     scenario.problem = windowProblem();
     scenario.object = boxBody("peg", {0.1, 0.1, 0.1}, Pose::identity());
     scenario.objectBodies = {scenario.object};
+    scenario.scenario.object.bodies.clear();  // it has no file
     for (const char* name : {"pump/cover/screw", "pump/cover/screw#2", "pump/housing", "plate"}) {
       scenario.obstacles.push_back(boxBody(name, {0.1, 0.1, 0.1}, Pose::identity()));
     }
@@ -57,6 +58,17 @@ TEST_F(ScenePanelTest, SelectingAnAssemblySelectsAllOfItsBodies) {
   item(QStringLiteral("pump"))->setSelected(true);
   ASSERT_EQ(chosen.size(), 1);
   EXPECT_EQ(chosen[0][0].value<QSet<QString>>().size(), 3);
+}
+
+/// The row of the start is selected with the moving part. Ctrl+click adds a body.
+TEST_F(ScenePanelTest, ABodyIsAddedToTheMovingPart) {
+  panel.showSelection({QStringLiteral("peg")}, AssemblyItem{AssemblyItem::Kind::Start, {}});
+  QSignalSpy chosen(&panel, &ScenePanel::bodiesChosen);
+  QSignalSpy end(&panel, &ScenePanel::endChosen);
+  item(QStringLiteral("plate"))->setSelected(true);
+  EXPECT_EQ(end.size(), 0);
+  ASSERT_EQ(chosen.size(), 1);
+  EXPECT_EQ(chosen[0][0].value<QSet<QString>>(), (QSet<QString>{QStringLiteral("peg"), QStringLiteral("plate")}));
 }
 
 TEST_F(ScenePanelTest, AnAssemblyIsSelectedWhereAllOfItsBodiesAre) {

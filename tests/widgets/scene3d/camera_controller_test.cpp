@@ -57,5 +57,21 @@ TEST(CameraController, APointThatIsFollowedComesToTheMiddle) {
   EXPECT_EQ(camera.distance(), distance);
 }
 
+TEST(CameraController, WhatIsZoomedToIsAboveWhatCoversTheLowerBorder) {
+  constexpr double kCovered = 0.3;
+  for (const StandardView view : {StandardView::Front, StandardView::Top, StandardView::Isometric}) {
+    CameraController camera;
+    camera.fit(kWide);
+    camera.setStandardView(view);
+    camera.zoomTo(kWide, kCovered);
+    for (int corner = 0; corner < 8; ++corner) {
+      const auto at = camera.project(kWide.corner(static_cast<Box3::CornerType>(corner)));
+      ASSERT_TRUE(at.has_value());
+      EXPECT_LT(at->y(), 0.5 - kCovered);
+      EXPECT_GT(at->y(), -0.5);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace glissade

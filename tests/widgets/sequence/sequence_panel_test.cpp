@@ -163,7 +163,7 @@ TEST_F(SequencePanelTest, AStuckRowHasTheWholeReasonAndWhatToDoNext) {
   const QTreeWidgetItem* row = table().topLevelItem(2);
   const QString text = row->text(0);
   for (const char* part : {"drawer is stuck.", "Blocked by cabinet.", "No motion was found, alone or with others.",
-                           "Next: decide about its joints"}) {
+                           "Next: decide about its fits and joints"}) {
     EXPECT_TRUE(text.contains(QLatin1String(part))) << part;
   }
   EXPECT_TRUE(row->isFirstColumnSpanned());

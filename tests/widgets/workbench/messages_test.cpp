@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QStatusBar>
+#include <QTest>
 #include <QTimer>
 #include <algorithm>
 #include <functional>
@@ -72,6 +73,17 @@ TEST(Messages, ADocumentThatWasSavedCanBeOpenedUntilAnotherMessageComes) {
   EXPECT_TRUE(open->toolTip().contains(QStringLiteral("/folder/a.html")));
   messages.showStatus(QStringLiteral("another"));
   EXPECT_FALSE(open->isVisible());
+}
+
+TEST(Messages, WhatWasSavedIsShownUntilTheNextAction) {
+  QMainWindow window;
+  Messages messages(window, 0);
+  window.show();
+  messages.showSaved(QStringLiteral("/folder/a.pdf was saved"), QStringLiteral("/folder/a.pdf"));
+  QTest::mousePress(window.findChild<QAbstractButton*>(QStringLiteral("open-saved")), Qt::LeftButton);
+  EXPECT_EQ(window.statusBar()->currentMessage(), QStringLiteral("/folder/a.pdf was saved"));
+  QTest::keyPress(&window, Qt::Key_Space);
+  EXPECT_TRUE(window.statusBar()->currentMessage().isEmpty());
 }
 
 TEST(Messages, AFilesNameIsShownAsItIsWhereASaveIsRefused) {
