@@ -120,7 +120,7 @@ std::string partOf(const Occurrence& shape) {
   const std::size_t count = steps.size();
   if (count < 2) return shape.path;
   const auto productOf = [&](std::size_t step) {
-    return shape.names.size() == count ? shape.names[step].product : steps[step].substr(0, steps[step].rfind('#'));
+    return shape.names.size() == count ? shape.names[step].product : withoutNumber(steps[step]);
   };
   if (productOf(count - 1) != productOf(count - 2)) return shape.path;
   steps.pop_back();
