@@ -175,8 +175,8 @@ void tidy(const std::string& folder, std::size_t mostBytes) {
 FitsCache::FitsCache(std::string folder, std::string version, std::size_t mostBytes)
     : folder_(std::move(folder)), version_(std::move(version)), mostBytes_(mostBytes) {}
 
-std::optional<std::vector<ObjectFits>> FitsCache::find(const AssembledProduct& product, const ContactLimits& limits) {
-  const std::string file = fileOf(product, limits);
+std::optional<std::vector<ObjectFits>> FitsCache::find(const std::string& key) const {
+  const std::string file = fileOf(key);
   const auto content = readFile(file, mostBytes_);
   if (!content || content->size() < kHashDigits) return std::nullopt;
   std::string fits = content->substr(kHashDigits);
@@ -194,8 +194,7 @@ std::optional<std::vector<ObjectFits>> FitsCache::find(const AssembledProduct& p
   return objects;
 }
 
-void FitsCache::keep(const AssembledProduct& product, const ContactLimits& limits,
-                     const std::vector<ObjectFits>& objects) {
+void FitsCache::keep(const std::string& key, const std::vector<ObjectFits>& objects) {
   std::error_code failed;
   fs::create_directories(folder_, failed);
   if (failed) return;
@@ -203,10 +202,12 @@ void FitsCache::keep(const AssembledProduct& product, const ContactLimits& limit
   cereal::BinaryOutputArchive archive(stream);
   archive(objects);
   const std::string fits = std::move(stream).str();
-  if (writeFileAtomically(fileOf(product, limits), sha256(fits) + fits)) tidy(folder_, mostBytes_);
+  if (writeFileAtomically(fileOf(key), sha256(fits) + fits)) tidy(folder_, mostBytes_);
 }
 
-std::string FitsCache::fileOf(const AssembledProduct& product, const ContactLimits& limits) const {
+std::string FitsCache::fileOf(const std::string& key) const { return folder_ + "/" + key + kEnding; }
+
+std::string FitsCache::keyOf(const AssembledProduct& product, const ContactLimits& limits) const {
   std::ostringstream stream;
   cereal::BinaryOutputArchive archive(stream);
   archive(version_, std::string(__VERSION__), limits, product.deflections, product.fits, product.spacings,
@@ -215,7 +216,7 @@ std::string FitsCache::fileOf(const AssembledProduct& product, const ContactLimi
     const RigidBody& body = product.bodies[i];
     archive(body.id, body.name, body.label, product.nameInFile(i), body.X_WB, body.mesh);
   }
-  return folder_ + "/" + sha256(std::move(stream).str()) + kEnding;
+  return sha256(std::move(stream).str());
 }
 
 std::unique_ptr<FitsStore> usersFitsCache(const std::string& version) {

@@ -17,12 +17,12 @@ class FitsCache : public FitsStore {
 
   FitsCache(std::string folder, std::string version, std::size_t mostBytes = kMostBytes);
 
-  std::optional<std::vector<ObjectFits>> find(const AssembledProduct& product, const ContactLimits& limits) override;
-  void keep(const AssembledProduct& product, const ContactLimits& limits,
-            const std::vector<ObjectFits>& objects) override;
+  std::string keyOf(const AssembledProduct& product, const ContactLimits& limits) const override;
+  std::optional<std::vector<ObjectFits>> find(const std::string& key) const override;
+  void keep(const std::string& key, const std::vector<ObjectFits>& objects) override;
 
  private:
-  std::string fileOf(const AssembledProduct& product, const ContactLimits& limits) const;
+  std::string fileOf(const std::string& key) const;
 
   std::string folder_;
   std::string version_;

@@ -41,7 +41,7 @@ Result<ProductFile> productOfParts(const std::string& file, const StopToken& sto
   loaded.missing = (*geometry)->missing;
   const auto parts = chosenParts((*geometry)->parts, lastStepOf(file), choice);
   if (!parts) return parts.error();
-  if (isOnePartOfSeveralSolids((*geometry)->parts)) {
+  if (areSolidsOfOnePart(*parts)) {
     loaded.warnings.push_back(
         {ErrorKind::MalformedInput,
          file,

@@ -51,9 +51,9 @@ std::optional<double> misplacedHole(const std::vector<AxialSlab>& slabs, double 
   double apart = 0.0;
   double radius = 0.0;
   int count = 0;
-  int of = 0;  // sections of the body
+  int sections = 0;  // of the body
   for (const AxialSlab& slab : slabs) {
-    if (slab.isSolid || slab.surroundedShare() > 0.0) ++of;
+    if (slab.isSolid || slab.surroundedShare() > 0.0) ++sections;
     if (slab.isSolid || slab.surroundedShare() < 0.9) continue;
     const HoleMiddle middle = middleIn(slab);
     offset += middle.offset;
@@ -64,7 +64,7 @@ std::optional<double> misplacedHole(const std::vector<AxialSlab>& slabs, double 
   constexpr double kOneSide = 0.9;
   constexpr double kLeastApart = 0.03;
   constexpr int kFewSections = 3;  // a plain hole has one or two sections, a helix many
-  const bool isPlain = count > 0 && count == of;
+  const bool isPlain = count > 0 && count == sections;
   if ((count < kFewSections && !isPlain) || apart < kLeastApart * shaft * count || offset.norm() < kOneSide * apart)
     return std::nullopt;
   return radius;

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "engine/geometry/mesh_audit.h"
+#include "engine/geometry/mesh_edges.h"
+#include "engine/geometry/solid_interior.h"
 #include "engine/geometry/triangle_tree.h"
 #include "engine/import/part_solids.h"
 #include "engine/model/body_path.h"
@@ -23,27 +25,18 @@ constexpr double kRounding = 1e-6;
 /// A closed mesh for questions about points.
 class Interior {
  public:
-  explicit Interior(const TriangleMesh& mesh) : tree_(mesh) {}
+  explicit Interior(const TriangleMesh& mesh)
+      : surface_(mesh), interior_(mesh, edgeFactsOf(mesh).consistentlyOriented) {}
 
   /// The distance from the surface: above 0 inside, below 0 outside.
   double depthOf(const Vector3& p) const {
-    const double distance = tree_.nearest(p, std::numeric_limits<double>::infinity()).distance;
-    return contains(p) ? distance : -distance;
+    const double distance = surface_.nearest(p, std::numeric_limits<double>::infinity()).distance;
+    return interior_.contains(p) ? distance : -distance;
   }
 
  private:
-  bool contains(const Vector3& p) const {
-    if (!tree_.box().contains(p)) return false;
-    const Vector3 direction = Vector3(0.5377, 0.2831, 0.7942).normalized();
-    bool inside = false;
-    for (double t = tree_.firstHit(p, direction, 0.0); t < std::numeric_limits<double>::infinity();
-         t = tree_.firstHit(p, direction, t)) {
-      inside = !inside;
-    }
-    return inside;
-  }
-
-  TriangleTree tree_;
+  TriangleTree surface_;
+  SolidInterior interior_;
 };
 
 /// Shows that a surface is within a solid by balls about points of its triangles, which are divided where a ball does
@@ -127,7 +120,7 @@ std::string partOf(const Occurrence& shape) {
   const std::size_t count = steps.size();
   if (count < 2) return shape.path;
   const auto productOf = [&](std::size_t step) {
-    return shape.names.size() == count ? shape.names[step].product : steps[step].substr(0, steps[step].rfind('#'));
+    return shape.names.size() == count ? shape.names[step].product : withoutNumber(steps[step]);
   };
   if (productOf(count - 1) != productOf(count - 2)) return shape.path;
   steps.pop_back();

@@ -176,8 +176,10 @@ std::vector<Occurrence> withPartsAsOne(const std::vector<Occurrence>& solids, co
   return joinedParts(solids, [&](const std::string& part) { return opened.count(part) == 0; });
 }
 
-bool isOnePartOfSeveralSolids(const std::vector<Occurrence>& solids) {
-  return solids.size() > 1 && withPartsAsOne(solids, std::set<std::string>()).size() == 1;
+bool areSolidsOfOnePart(const std::vector<Occurrence>& shapes) {
+  return shapes.size() > 1 && std::all_of(shapes.begin(), shapes.end(), [&](const Occurrence& each) {
+           return each.isSolidOfPart && partPathOf(each) == partPathOf(shapes.front());
+         });
 }
 
 Result<std::vector<Occurrence>> chosenParts(const std::vector<Occurrence>& solids, const std::string& whole,
@@ -186,8 +188,8 @@ Result<std::vector<Occurrence>> chosenParts(const std::vector<Occurrence>& solid
   const std::vector<std::string> ids = textsOf(choice.planBodies);
   const std::set<std::string> planBodies(ids.begin(), ids.end());
   takeFormerPaths(planBodies, named);
-  if (choice.open.empty() && isOnePartOfSeveralSolids(named)) return named;
   std::vector<Occurrence> asOne = withPartsAsOne(named, std::set<std::string>());
+  if (choice.open.empty() && asOne.size() == 1 && named.size() > 1) return named;
   std::set<std::string> joined;
   for (const Occurrence& part : asOne) joined.insert(part.path);
   std::set<std::string> opened;

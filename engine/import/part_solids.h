@@ -28,8 +28,8 @@ struct PartChoice {
   std::vector<BodyId> planBodies{};
 };
 
-/// True if the file is one part with several solids, which are bodies of their own in a product.
-bool isOnePartOfSeveralSolids(const std::vector<Occurrence>& solids);
+/// True if these are several solids, all of one part.
+bool areSolidsOfOnePart(const std::vector<Occurrence>& shapes);
 
 /// Each part as one occurrence, except those with another choice, and the only part of a file, which is its solids.
 /// `whole`: name of a part that is the whole file.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "engine/fits/assembled_product.h"
@@ -17,11 +18,12 @@ class FitsStore {
   FitsStore(const FitsStore&) = delete;
   FitsStore& operator=(const FitsStore&) = delete;
 
-  /// The fits of each body of this product, as FitTable::objects(); nothing: they are not kept.
-  virtual std::optional<std::vector<ObjectFits>> find(const AssembledProduct& product, const ContactLimits& limits) = 0;
+  /// The key of all that the fits depend on. It takes a second for millions of triangles.
+  virtual std::string keyOf(const AssembledProduct& product, const ContactLimits& limits) const = 0;
+  /// The fits of each body of the product, as FitTable::objects(); nothing: they are not kept.
+  virtual std::optional<std::vector<ObjectFits>> find(const std::string& key) const = 0;
   /// A failure has no effect but that the fits are found again.
-  virtual void keep(const AssembledProduct& product, const ContactLimits& limits,
-                    const std::vector<ObjectFits>& objects) = 0;
+  virtual void keep(const std::string& key, const std::vector<ObjectFits>& objects) = 0;
 };
 
 }  // namespace glissade

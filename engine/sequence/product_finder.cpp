@@ -42,11 +42,11 @@ Result<FitTablePtr> ProductFinder::fits(const AssembledProduct& product, ThreadT
 
 Result<FitTable> ProductFinder::found(const AssembledProduct& product, const ContactLimits& limits, ThreadTeam& team,
                                       const WorkWatch& watch) {
-  if (store_) {
-    if (auto kept = store_->find(product, limits)) return FitTable::of(product, std::move(*kept));
-  }
+  if (!store_) return FitTable::find(product, team, watch, limits);
+  const std::string key = store_->keyOf(product, limits);
+  if (auto kept = store_->find(key)) return FitTable::of(product, std::move(*kept));
   auto table = FitTable::find(product, team, watch, limits);
-  if (store_ && table) store_->keep(product, limits, table->objects());
+  if (table) store_->keep(key, table->objects());
   return table;
 }
 

@@ -1216,7 +1216,7 @@
     </message>
     <message>
         <source>&amp;Cancel the work in progress</source>
-        <translation>Annuler le &amp;travail en cours</translation>
+        <translation>A&amp;bandonner le travail en cours</translation>
     </message>
     <message>
         <source>Let the camera &amp;roll</source>

@@ -284,7 +284,8 @@ void RunController::start() {
     const bool hasCoarsePlan = isMultiLayer(bench_.document.settings().strategy);
     QWidget* focus = QApplication::focusWidget();
     bench_.bringToFront(Workspace::Planning, hasCoarsePlan ? "panel.plan" : "panel.run");
-    if (focus != nullptr) focus->setFocus();  // the keys that steer the object are those of the scene
+    if (ledByPerson_) focus = bench_.scene.widget();  // its keys steer the object
+    if (focus != nullptr) focus->setFocus();
   }
   bench_.session.post(command::Start{});
 }

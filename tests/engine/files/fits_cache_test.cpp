@@ -32,6 +32,14 @@ class FitsCacheTest : public testing::Test {
     return FitTable::find(product_, team, {})->objects();
   }
 
+  static std::optional<std::vector<ObjectFits>> kept(const FitsCache& cache, const AssembledProduct& product,
+                                                     const ContactLimits& limits = {}) {
+    return cache.find(cache.keyOf(product, limits));
+  }
+  static void keep(FitsCache& cache, const AssembledProduct& product, const std::vector<ObjectFits>& objects) {
+    cache.keep(cache.keyOf(product, {}), objects);
+  }
+
   std::vector<fs::path> files() const {
     std::vector<fs::path> all;
     for (const auto& entry : fs::directory_iterator(folder_.path())) all.push_back(entry.path());
@@ -68,18 +76,18 @@ class FitsCacheTest : public testing::Test {
 };
 
 TEST_F(FitsCacheTest, ReturnsWhatWasKept) {
-  EXPECT_FALSE(cache_.find(product_, {}));
+  EXPECT_FALSE(kept(cache_, product_));
   const std::vector<ObjectFits> objects = found();
   ASSERT_TRUE(std::any_of(objects.begin(), objects.end(), [](const ObjectFits& each) {
     return std::any_of(each.allowed.begin(), each.allowed.end(), [](const Fit& fit) { return fit.thinned != nullptr; });
   }));
-  cache_.keep(product_, {}, objects);
-  const auto kept = FitsCache(folder_.path(), "1.0").find(product_, {});
-  ASSERT_TRUE(kept);
-  ASSERT_EQ(kept->size(), objects.size());
+  keep(cache_, product_, objects);
+  const auto again = kept(FitsCache(folder_.path(), "1.0"), product_);
+  ASSERT_TRUE(again);
+  ASSERT_EQ(again->size(), objects.size());
   for (std::size_t body = 0; body < objects.size(); ++body) {
     const ObjectFits& one = objects[body];
-    const ObjectFits& other = (*kept)[body];
+    const ObjectFits& other = (*again)[body];
     expectSame(one.allowed, other.allowed);
     expectSame(one.clashes, other.clashes);
     ASSERT_EQ(one.contacts.size(), other.contacts.size());
@@ -100,16 +108,16 @@ TEST_F(FitsCacheTest, ReturnsWhatWasKept) {
 
 /// Each of these could change a fit or a message about it.
 TEST_F(FitsCacheTest, FindsNothingForAnotherQuestion) {
-  cache_.keep(product_, {}, found());
-  ASSERT_TRUE(cache_.find(product_, {}));
-  EXPECT_FALSE(FitsCache(folder_.path(), "1.1").find(product_, {}));
+  keep(cache_, product_, found());
+  ASSERT_TRUE(kept(cache_, product_));
+  EXPECT_FALSE(kept(FitsCache(folder_.path(), "1.1"), product_));
   ContactLimits wide;
   wide.clearanceUpTo = 0.001;
-  EXPECT_FALSE(cache_.find(product_, wide));
+  EXPECT_FALSE(kept(cache_, product_, wide));
   const auto changed = [&](auto change) {
     AssembledProduct other = product_;
     change(other);
-    return !cache_.find(other, {});
+    return !kept(cache_, other);
   };
   EXPECT_TRUE(changed([](AssembledProduct& other) { other.bodies[0].X_WB.position.x() += 1e-9; }));
   EXPECT_TRUE(changed([](AssembledProduct& other) { other.bodies[1].name += "2"; }));
@@ -126,7 +134,7 @@ TEST_F(FitsCacheTest, FindsNothingForAnotherQuestion) {
 }
 
 TEST_F(FitsCacheTest, ReadsNoDamagedFile) {
-  cache_.keep(product_, {}, found());
+  keep(cache_, product_, found());
   const std::string file = files().at(0).string();
   const auto bytes = static_cast<long>(fs::file_size(file));
   for (const long at : {0L, 64L, bytes / 2, bytes - 1}) {
@@ -136,39 +144,39 @@ TEST_F(FitsCacheTest, ReadsNoDamagedFile) {
     stream.seekp(at);
     stream.put(static_cast<char>(before ^ 1));
     stream.close();
-    EXPECT_FALSE(cache_.find(product_, {})) << "byte " << at;
+    EXPECT_FALSE(kept(cache_, product_)) << "byte " << at;
     std::fstream mend(file, std::ios::in | std::ios::out | std::ios::binary);
     mend.seekp(at);
     mend.put(before);
   }
-  EXPECT_TRUE(cache_.find(product_, {}));
+  EXPECT_TRUE(kept(cache_, product_));
   fs::resize_file(file, 10);
-  EXPECT_FALSE(cache_.find(product_, {}));
+  EXPECT_FALSE(kept(cache_, product_));
 }
 
 TEST_F(FitsCacheTest, RemovesTheLeastRecentlyUsedFile) {
   const std::vector<ObjectFits> objects = found();
-  cache_.keep(product_, {}, objects);
+  keep(cache_, product_, objects);
   const fs::path first = files().at(0);
   const std::size_t bytes = fs::file_size(first);
   fs::last_write_time(first, fs::file_time_type::clock::now() - std::chrono::hours(1));
   AssembledProduct renamed = product_;
   renamed.bodies[0].name = "renamed";
   FitsCache small(folder_.path(), "1.0", bytes * 3 / 2);
-  small.keep(renamed, {}, objects);
+  keep(small, renamed, objects);
   EXPECT_EQ(files().size(), 1U);
-  EXPECT_TRUE(small.find(renamed, {}));
-  EXPECT_FALSE(small.find(product_, {}));
+  EXPECT_TRUE(kept(small, renamed));
+  EXPECT_FALSE(kept(small, product_));
 }
 
 TEST_F(FitsCacheTest, AFinderDoesNotFindKeptFitsAgain) {
   ThreadTeam team(0);
-  cache_.keep(product_, {}, std::vector<ObjectFits>(product_.bodies.size()));
+  keep(cache_, product_, std::vector<ObjectFits>(product_.bodies.size()));
   ProductFinder finder(std::make_unique<FitsCache>(folder_.path(), "1.0"));
   EXPECT_TRUE((*finder.fits(product_, team, {}))->pairs().empty()) << "the kept table, which has no pair";
   product_.fits.acceptedClash = 0.0;
   EXPECT_FALSE((*finder.fits(product_, team, {}))->pairs().empty());
-  EXPECT_TRUE(cache_.find(product_, {}));
+  EXPECT_TRUE(kept(cache_, product_));
 }
 
 /// The version of changed sources says nothing about their results.

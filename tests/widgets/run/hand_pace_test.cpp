@@ -1,7 +1,10 @@
 // Tests the pace that a run has by itself, with the hand of a person and without it.
 #include <gtest/gtest.h>
 
+#include <QAbstractSpinBox>
 #include <QtTest>
+
+#include <algorithm>
 
 #include "tests/app/whole_window.h"
 
@@ -64,6 +67,20 @@ TEST_P(HandPace, StaysAsThePersonHasSetIt) {
   EXPECT_TRUE(stays(200.0));
   session_.setDevice("hand");
   EXPECT_TRUE(stays(200.0));
+}
+
+/// The keys that steer would be typed into the field that was used last.
+TEST_P(HandPace, ARunThatAPersonLeadsHasTheKeysOfTheScene) {
+  open("environment-1");
+  ASSERT_TRUE(stays(kOfPerson));
+  window_->show();
+  const auto fields = window_->findChildren<QAbstractSpinBox*>();
+  const auto field = std::find_if(fields.begin(), fields.end(), [](const auto* each) { return each->isVisible(); });
+  ASSERT_NE(field, fields.end());
+  (*field)->setFocus();
+  ASSERT_EQ(window_->focusWidget(), *field);
+  window_->workbench().actions[QStringLiteral("run.start")]->trigger();
+  EXPECT_EQ(window_->focusWidget(), window_->workbench().scene.widget());
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace glissade::api {
 
-/// What an operator from outside knows when it moves the object.
+/// The state that an operator from outside sees when it moves the object.
 struct HandView {
   Pose hand{};             ///< pose of the object in the hand, X_WB
   double seconds = 0.0;    ///< time until the next call, by the operator's clock
