@@ -85,8 +85,7 @@ struct SessionSnapshot {
   PlannerCounts counts;
   double virtualSeconds = 0.0;   ///< the operator's clock: real time in the window, lockstep time without one
   double planningSeconds = 0.0;  ///< time spent planning, without pauses
-  /// Processor time of all threads that plan; updated only between the planner's turns.
-  double planningCpuSeconds = 0.0;
+  double planningCpuSeconds = 0.0;  ///< processor time of all threads that plan
   Author authority = Author::Computer;
   bool contactMode = false;
   OperatorSample device;  ///< q_device and its nearest obstacle
