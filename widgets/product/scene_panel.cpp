@@ -139,18 +139,13 @@ void ScenePanel::setScenario(const LoadedScenario& scenario) {
 void ScenePanel::addLeftOut(const Scenario& scenario) {
   if (scenario.leftOut.empty()) return;
   QTreeWidgetItem* group = addGroup(tr("Excluded"));
-  std::vector<std::string> ids;
-  std::vector<std::string> paths;
-  for (const BodyDescription* body : allBodiesOf(scenario)) {
-    ids.push_back(body->id.text());
-    paths.push_back(body->name);
-  }
-  const std::vector<std::string> shown = treeOf(scenario).labels(ids);
-  for (std::size_t i = ids.size() - scenario.leftOut.size(); i < ids.size(); ++i) {
+  const std::vector<std::string> shown = shownLeftOut(scenario);
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const BodyDescription& body = scenario.leftOut[i];
     auto* item = new QTreeWidgetItem(group, {QString::fromStdString(shown[i]), tr("excluded")});
     item->setToolTip(
-        0, tr("%1: part of the product's file, and not of this product").arg(QString::fromStdString(paths[i])));
-    item->setData(0, kLeftOutRole, QString::fromStdString(ids[i]));
+        0, tr("%1: part of the product's file, and not of this product").arg(QString::fromStdString(body.name)));
+    item->setData(0, kLeftOutRole, toQString(body.id));
   }
 }
 
