@@ -356,4 +356,15 @@ WorkInstruction workInstruction(const AssemblyPlan& plan, const AssembledProduct
   return Instructor(plan, product, words, watch).instruct(heading);
 }
 
+std::vector<Viewpoint> viewsOfSteps(const WorkInstruction& instruction, const AssemblyPlan& plan) {
+  std::map<BodyId, Viewpoint> viewOf;
+  for (const InstructionPanel& panel : instruction.panels) {
+    if (!panel.subassembly.empty()) continue;
+    for (const AssemblyStep& step : panel.steps) viewOf[step.motions.front().body] = panel.view;
+  }
+  std::vector<Viewpoint> views;
+  for (const AssemblyStep& step : plan.steps) views.push_back(viewOf[step.motions.front().body]);
+  return views;
+}
+
 }  // namespace glissade

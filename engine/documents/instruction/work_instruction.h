@@ -61,4 +61,7 @@ WorkInstruction workInstruction(const AssemblyPlan& plan, const AssembledProduct
                                 const InstructionHeading& heading, const PlanWords& words,
                                 const WorkWatch& watch = {});
 
+/// How the product lies in each step of the plan, in the order of removal.
+std::vector<Viewpoint> viewsOfSteps(const WorkInstruction& instruction, const AssemblyPlan& plan);
+
 }  // namespace glissade
