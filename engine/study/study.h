@@ -45,6 +45,8 @@ struct StudyCell {
   std::uint64_t memoryLimitMb = 0;           ///< limit of the run's process; 0: none
   std::vector<std::uint64_t> seeds;          ///< ascending
   std::map<std::string, PaperValue> paper;   ///< values by key of a PaperColumn, and optionally "note"
+  /// Quartiles of its own results at full size, lower, median, upper, by key of a PaperColumn; empty: not stated.
+  std::map<std::string, std::vector<double>> measured;
   std::string location;                      ///< place in the study file, for messages
 };
 

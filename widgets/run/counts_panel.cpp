@@ -174,6 +174,13 @@ CountsPanel::CountsPanel(QWidget* parent) : QWidget(parent), layout_(new QFormLa
   layout_->setVerticalSpacing(3);
   curves_ = new RunCurves(this);
   layout_->addRow(curves_);
+  comparison_ = new QLabel(this);
+  comparison_->setObjectName(QStringLiteral("paper-comparison"));
+  comparison_->setTextFormat(Qt::RichText);
+  comparison_->setWordWrap(true);
+  comparison_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  comparison_->hide();
+  layout_->addRow(comparison_);
   iterations_ = addRow(tr("Iterations"), tr("Passes of the paper's loop"));
   nodes_ = addRow(tr("Nodes"), tr("Nodes of the roadmap"));
   authors_ = new AuthorBar(this);
@@ -240,6 +247,11 @@ void CountsPanel::setSnapshot(const SessionSnapshot& snapshot, const LoadedScena
   showDistance();
   hand_->setVisible(snapshot.hand.has_value());
   if (snapshot.hand) hand_->setText(handText(*snapshot.hand, snapshot.path != nullptr));
+}
+
+void CountsPanel::setComparison(const QString& html) {
+  comparison_->setText(html);
+  comparison_->setVisible(!html.isEmpty());
 }
 
 QString CountsPanel::handText(const HandReport& hand, bool found) {

@@ -52,6 +52,8 @@ class CountsPanel final : public QWidget {
  public:
   explicit CountsPanel(QWidget* parent = nullptr);
 
+  /// Shows the numbers of a paper beside those of the run, as HTML; empty: none.
+  void setComparison(const QString& html);
   /// In lockstep no processor time is shown, because it differs from run to run.
   void setSnapshot(const SessionSnapshot& snapshot, const LoadedScenario& scenario, SessionClock clock);
 
@@ -78,6 +80,7 @@ class CountsPanel final : public QWidget {
   QLabel* mode_;
   QLabel* nearest_;
   QLabel* distance_;
+  QLabel* comparison_;
   QLabel* hand_;                         ///< result of the motions that the hand has shown
   std::optional<double> shownDistance_;  ///< metres; none: not known
 };
