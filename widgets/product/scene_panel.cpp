@@ -123,14 +123,15 @@ QTreeWidgetItem* ScenePanel::addBody(QTreeWidgetItem& group, const RigidBody& bo
 void ScenePanel::setScenario(const LoadedScenario& scenario) {
   const QSignalBlocker block(this);
   clear();
-  QTreeWidgetItem* object = addGroup(tr("Object"));
+  const bool isProduct = isAboutProduct(scenario.scenario);
+  QTreeWidgetItem* object = addGroup(isProduct ? tr("Part for a path of its own") : tr("Object"));
   for (const RigidBody& body : scenario.objectBodies) addBody(*object, body, tr("moving part"));
   // The point is the one that the placement shows unless a person chooses another.
   const Vector3 point = placementPoints(scenario, {AssemblyItem::Kind::Start, {}}).fileOrigin;
   const Pose* goal = std::get_if<Pose>(&scenario.problem.goal);
   addEnd(*object, tr("start  %1").arg(place(scenario.problem.start * point)), AssemblyItem::Kind::Start);
   addEnd(*object, tr("goal  %1").arg(goal != nullptr ? place(*goal * point) : tr("removed")), AssemblyItem::Kind::Goal);
-  obstacles_ = addGroup(tr("Obstacles"));
+  obstacles_ = addGroup(isProduct ? tr("Other parts") : tr("Obstacles"));
   addObstacles(scenario);
   addLeftOut(scenario.scenario);
   showDeflections(scenario);

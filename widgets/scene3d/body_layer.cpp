@@ -207,6 +207,8 @@ osg::ref_ptr<osg::MatrixTransform> makeMovedBody(const BodyShape& shape, const P
   return transform;
 }
 
+osg::Vec4 bodyColour(osg::MatrixTransform& body) { return coloursOf(*body.getChild(0)->asGroup())->front(); }
+
 void setBodyColour(osg::MatrixTransform& body, const osg::Vec4& colour) {
   osg::Group* details = body.getChild(0)->asGroup();
   const auto geometryOf = [&](unsigned i) { return details->getChild(i)->asGeode()->getDrawable(0)->asGeometry(); };

@@ -39,6 +39,8 @@ osg::ref_ptr<osg::MatrixTransform> makeHighlight(const BodyShape& shape, const P
 osg::ref_ptr<osg::MatrixTransform> makeMovedBody(const BodyShape& shape, const Pose& X_WB, const osg::Vec4& colour,
                                                  const ScenePalette& palette);
 
+/// The colour of a body that one of these functions made.
+osg::Vec4 bodyColour(osg::MatrixTransform& body);
 /// Changes the colour of a body that one of these functions made; its transparency stays.
 void setBodyColour(osg::MatrixTransform& body, const osg::Vec4& colour);
 
