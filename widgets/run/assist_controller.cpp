@@ -1,5 +1,7 @@
 #include "widgets/run/assist_controller.h"
 
+#include <utility>
+
 #include "engine/base/number_text.h"
 #include "engine/operator/device_registry.h"
 #include "engine/session/grown_roadmap.h"
@@ -140,6 +142,8 @@ void AssistController::followRun(const SnapshotPtr& snapshot) {
       takeHand();
     }
   }
+  const bool wasRunning = std::exchange(running_, bench_.run.isLive() && isRunning(*snapshot));
+  if (wasRunning && snapshot->state == SessionState::Stopped) show(nullptr);
   if (snapshot->run != run_) nextOffer_ = kFirstOffer;
   if (places_ && (!stuck || snapshot->run != run_)) show(nullptr);
   run_ = snapshot->run;
@@ -169,7 +173,8 @@ BackgroundTask::Work AssistController::search(Then then) {
         helpPlaces(problem, grown.nodes, grown.edges, shown->parameters, shown->seed, wholeWay, kHelpGaps, kGapBudget,
                    watch.part(kWholeWay, 1.0)));
     return [this, then, run = shown->run, places] {
-      if (bench_.session.snapshot()->run != run || !bench_.run.isLive()) return;
+      const SessionSnapshot& now = *bench_.session.snapshot();
+      if (now.run != run || !bench_.run.isLive() || !isStuck(now)) return;
       nextOffer_ = 2.0 * bench_.session.snapshot()->planningSeconds;
       show(places);
       if (places->empty()) bench_.messages.showStatus(tr("No place to help was found."));

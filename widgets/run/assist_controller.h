@@ -85,6 +85,7 @@ class AssistController final : public QObject {
   std::unique_ptr<CollisionQuery> object_;  ///< null until a hand is led
   bool starting_ = false;   ///< a run by hand starts; the hand is taken to the chosen place once it runs
   std::uint64_t run_ = 0;   ///< the run that is followed
+  bool running_ = false;    ///< a run is under way
   double nextOffer_ = 0.0;  ///< seconds of planning
   QTimer lead_;             ///< leads the hand at the next timeout, so that people can read the hint
 };
