@@ -418,7 +418,7 @@ void PlanPrinter::print(const AssemblyPlan& plan, double seconds) const {
   printLines(plan.lines, plan.steps.size(), "", "  ");
   printStuck(plan.stuck, "");
   if (const std::string isolated = words_.isolated(plan, host_.product()); !isolated.empty()) {
-    console_.print({GLISSADE_TEXT("%1"), {isolated}});
+    console_.print(Message(isolated));
   }
   if (plan.parts() == 0) {
     console_.print(
