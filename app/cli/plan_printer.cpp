@@ -107,8 +107,8 @@ void PlanPrinter::printLines(const std::vector<SubassemblyLine>& lines, std::siz
                              const std::string& before) const {
   for (const SubassemblyLine& line : lines) {
     const std::string number = stepNumber(steps - line.step, group);
-    printIndented(
-        before, {GLISSADE_TEXT("the group of step %1 is disassembled off %2:"), {number, namesOf(line.staying, product_, " ")}});
+    printIndented(before, {GLISSADE_TEXT("the group of step %1 is disassembled off %2:"),
+                           {number, namesOf(line.staying, product_, " ")}});
     printSteps(line.steps, number, before);
     printStuck(line.stuck, before);
     printLines(line.lines, line.steps.size(), number, before + "  ");

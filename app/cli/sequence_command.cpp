@@ -96,9 +96,10 @@ class ProgressHost final : public SequenceHost {
   void stepFound(const AssemblyPlan& plan) override {
     for (; reported_ < plan.steps.size(); ++reported_) {
       const StepMotion& motion = plan.steps[reported_].only();
-      notes_.note({motion.with.empty() ? GLISSADE_TEXT("%1 of %2 {2|part|parts}: %3 removed (%4)")
-                                       : GLISSADE_TEXT("%1 of %2 {2|part|parts}: %3 removed as one (%4)"),
-                   {plan.removed(), plan.parts(), namesOf(motion.bodies(), product_, " + "), methodInWords(motion.method)}});
+      notes_.note(
+          {motion.with.empty() ? GLISSADE_TEXT("%1 of %2 {2|part|parts}: %3 removed (%4)")
+                               : GLISSADE_TEXT("%1 of %2 {2|part|parts}: %3 removed as one (%4)"),
+           {plan.removed(), plan.parts(), namesOf(motion.bodies(), product_, " + "), methodInWords(motion.method)}});
     }
     if (file_.empty()) return;
     unkept_ = plan;
