@@ -208,9 +208,9 @@ class Reordering {
   std::vector<std::vector<std::size_t>> assemblies_;  ///< tree path of the first body's assembly, for each step
   std::vector<std::size_t> tasks_;
   std::vector<std::size_t> stacks_;
-  std::vector<std::size_t> openers_;  ///< the step that opens the stack of each step; without a stack, the step itself
-  std::vector<std::size_t> isolated_; ///< steps of bodies that touch nothing
-  std::optional<ToolFacts> tools_;    ///< set if the cost uses the access of tools
+  std::vector<std::size_t> openers_;   ///< the step that opens the stack of each step; without a stack, the step itself
+  std::vector<std::size_t> isolated_;  ///< steps of bodies that touch nothing
+  std::optional<ToolFacts> tools_;     ///< set if the cost uses the access of tools
 };
 
 /// The bodies that are there after the first n steps of the plan, for each n.

@@ -30,8 +30,8 @@ struct StepFigures {
   double size = 0.0;      ///< size of the boxes of the bodies that leave, divided by that of the product's box
   double early = 0.0;     ///< share of the steps that come later
   bool inAir = false;     ///< the bodies that leave touch no body that remains, and no joint joins them to one
-  double openStacks = 0.0;  ///< number of fastener stacks of which some bodies have left and others remain
-  double unfastened = 0.0;  ///< number of remaining bodies that joints no longer join to the base
+  double openStacks = 0.0;    ///< number of fastener stacks of which some bodies have left and others remain
+  double unfastened = 0.0;    ///< number of remaining bodies that joints no longer join to the base
   double isolatedLeft = 0.0;  ///< number of bodies that touch nothing and leave later
   double turnOver = 0.0;  ///< 1: it ends upwards and the step before downwards, or the reverse; 0.5: one ends sideways
 };

@@ -112,8 +112,7 @@ class Threaded final : public Session {
   /// Sleeps while there is nothing to do. False: the session ends.
   bool waitForWork() {
     std::unique_lock lock(mutex_);
-    plannerWakes_.wait(lock,
-                          [this] { return quit_ || !commands_.empty() || core_.state() == SessionState::Planning; });
+    plannerWakes_.wait(lock, [this] { return quit_ || !commands_.empty() || core_.state() == SessionState::Planning; });
     return !quit_;
   }
 
@@ -180,9 +179,8 @@ class Threaded final : public Session {
   /// the start.
   std::optional<HandState> readOperator() {
     std::unique_lock lock(mutex_);
-    plannerWakes_.wait(lock, [this] {
-      return !held_ || operatorRun_ == run_ || quit_ || stop_.token().stopRequested();
-    });
+    plannerWakes_.wait(lock,
+                       [this] { return !held_ || operatorRun_ == run_ || quit_ || stop_.token().stopRequested(); });
     if (!held_ || operatorRun_ != run_) return std::nullopt;
     operatorSeen_ = operatorSample_;
     return HandState{operatorSeen_.q_device, operatorSeen_.moves};
@@ -356,7 +354,7 @@ class Threaded final : public Session {
   std::optional<Pose> putWanted_;
   std::uint64_t run_ = 0;          ///< number of the latest run
   std::uint64_t operatorRun_ = 0;  ///< number of the run at whose start, or after it, operatorSample_ was read
-  RoadmapChunks chunks_;  ///< for the operator
+  RoadmapChunks chunks_;           ///< for the operator
   OperatorSample operatorSample_;
   bool held_ = false;
   bool deviceConnected_ = true;

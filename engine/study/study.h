@@ -47,7 +47,7 @@ struct StudyCell {
   std::map<std::string, PaperValue> paper;   ///< values by key of a PaperColumn, and optionally "note"
   /// Quartiles of its own results at full size, lower, median, upper, by key of a PaperColumn; empty: not stated.
   std::map<std::string, std::vector<double>> measured;
-  std::string location;                      ///< place in the study file, for messages
+  std::string location;  ///< place in the study file, for messages
 };
 
 /// A study file as a value: all cells, in the order of the file.

@@ -362,9 +362,10 @@ void describe(Archive& row, Type<StudyRow> /*type*/) {
   row.embed(&StudyRow::axes);
   row.optional("paper", &StudyRow::paper, study_json::PaperFormat(),
                "Printed numbers or words by the keys of the columns, and a note.");
-  row.optional("measured", &StudyRow::measured, mapOf(listOf(kNumber, 3, 3)),
-               "Quartiles of the study's own results at full size with its first operator, over the solved runs, by the "
-               "keys of the columns: lower, median, upper.");
+  row.optional(
+      "measured", &StudyRow::measured, mapOf(listOf(kNumber, 3, 3)),
+      "Quartiles of the study's own results at full size with its first operator, over the solved runs, by the "
+      "keys of the columns: lower, median, upper.");
 }
 
 template <class Archive>

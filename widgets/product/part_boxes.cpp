@@ -49,9 +49,10 @@ QWidget* cellOf(QComboBox* box) {
 }
 
 QComboBox* makeRoleBox(const QString& part, bool mayMove) {
-  QComboBox* role = makeBox("role", PartsDialog::tr("Role of %1").arg(part),
-                            PartsDialog::tr("What the part does while the path of one part is planned; an assembly plan moves every "
-                                             "part. It is set for all selected rows together"));
+  QComboBox* role =
+      makeBox("role", PartsDialog::tr("Role of %1").arg(part),
+              PartsDialog::tr("What the part does while the path of one part is planned; an assembly plan moves every "
+                              "part. It is set for all selected rows together"));
   const auto add = [role](const QString& label, PartRole value, const QString& tip) {
     role->addItem(label, static_cast<int>(value));
     role->setItemData(role->count() - 1, tip, Qt::ToolTipRole);

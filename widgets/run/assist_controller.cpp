@@ -92,8 +92,9 @@ QString HandHint::keys() const {
   const MotionFrame frame = bench_.session.hand()->keyboard.shaping.get().frame;
   const QString moved =
       bench_.actions["operator.camera"]->isChecked() ? tr("keys move the object again") : tr("keys move the camera");
-  const QString keys = tr("A D W S Q E: move · J L I K U O: turn · Shift: slow · F: change the axes (now: %1) · %2: %3 · "
-                          "%4: go where the search is stuck");
+  const QString keys =
+      tr("A D W S Q E: move · J L I K U O: turn · Shift: slow · F: change the axes (now: %1) · %2: %3 · "
+         "%4: go where the search is stuck");
   return keys.arg(frameName(frame), key("operator.camera"), moved, key("assist.go"));
 }
 

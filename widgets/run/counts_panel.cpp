@@ -166,8 +166,7 @@ void RunCurves::paintTimes(QPainter& painter) const {
   painter.setPen(palette().color(QPalette::WindowText));
   painter.drawText(axis, Qt::AlignLeft | Qt::AlignVCenter, QStringLiteral("0 s"));
   painter.drawText(axis, Qt::AlignHCenter | Qt::AlignVCenter, tr("Duration of the run"));
-  painter.drawText(axis, Qt::AlignRight | Qt::AlignVCenter,
-                   secondsText(history_.samples().back().seconds));
+  painter.drawText(axis, Qt::AlignRight | Qt::AlignVCenter, secondsText(history_.samples().back().seconds));
 }
 
 CountsPanel::CountsPanel(QWidget* parent) : QWidget(parent), layout_(new QFormLayout(this)) {

@@ -179,9 +179,7 @@ class LegendMaker {
     add(LegendItem::RefusedEnd, LegendMark::Fill, palette_.path);
   }
 
-  bool hasSelection() const {
-    return impl_.visible(SceneLayer::Selection) && impl_.showsSelected();
-  }
+  bool hasSelection() const { return impl_.visible(SceneLayer::Selection) && impl_.showsSelected(); }
 
   const SceneView::Impl& impl_;
   const ScenePalette& palette_;

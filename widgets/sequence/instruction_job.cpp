@@ -106,8 +106,8 @@ void InstructionJob::start(PlanDocument document, const QString& file, Finished 
 }
 
 SaveResult InstructionJob::writeInstruction(const Content& content, const WorkWatch& watch) const {
-  const WorkInstruction instruction =
-      workInstruction(*content.plan, *content.product, content.heading, content.words(), watch.part(0.0, kChoosingViews));
+  const WorkInstruction instruction = workInstruction(*content.plan, *content.product, content.heading, content.words(),
+                                                      watch.part(0.0, kChoosingViews));
   const WorkWatch drawing = watch.part(kChoosingViews, 1.0);
   const StepDrawer drawer(*content.product);
   if (isPdf(content.file)) {

@@ -72,7 +72,8 @@ void StepCamera::look(int step) {
   const Vector3 toEye = bench_.scene.view().camera().R_WV() * Vector3::UnitZ();
   const auto index = static_cast<std::size_t>(step);
   if (!views_ || views_->product != shown.product) views_ = std::make_shared<Views>(shown.product);
-  const auto work = [this, shown, index, toEye, present = presentAt(index), views = views_](const WorkWatch&) -> BackgroundTask::Delivery {
+  const auto work = [this, shown, index, toEye, present = presentAt(index),
+                     views = views_](const WorkWatch&) -> BackgroundTask::Delivery {
     const std::lock_guard lock(views->inUse);
     const auto better = views->view.betterEye(shown.plan->steps[index], present, toEye);
     return [this, better, index, plan = shown.plan] {

@@ -139,8 +139,9 @@ StepTable::StepTable(IconOf iconOf, QWidget* parent) : QTreeWidget(parent), icon
   setColumnCount(StepColumns);
   setHeaderLabels({tr("No."), twoLines(tr("Part"), tr("Motion")), twoLines(tr("Clearance"), tr("Allowance")),
                    twoLines(tr("Tool"), tr("Support")), tr("State")});
-  headerItem()->setToolTip(StepGaps, tr("Above: smallest distance to other parts on the motion. Below: how much thinner "
-                                        "the part counts where the file lets parts touch or overlap, such as a fit"));
+  headerItem()->setToolTip(StepGaps,
+                           tr("Above: smallest distance to other parts on the motion. Below: how much thinner "
+                              "the part counts where the file lets parts touch or overlap, such as a fit"));
   headerItem()->setToolTip(
       StepTools, tr("Above: the tool that turns the fastener, and what blocks it. Below: parts that need support "
                     "because they would tip or fall, or the constraints that a forced step violates"));
@@ -314,10 +315,12 @@ void StepTable::showGaps(QTreeWidgetItem& row, std::size_t step) const {
   row.setTextAlignment(StepGaps, Qt::AlignRight | Qt::AlignVCenter);
   const QString allowed = joinedTexts(windowPlanWords().allowances(allowances, *shown_.product), QStringLiteral("\n"));
   if (!allowed.isEmpty()) {
-    tips << tr("Allowance: the file lets these parts touch or overlap, so that the moving part counts as thinner by this "
-               "length against them. An allowance above the clearance is usual for a fit; the clearance is what is left "
-               "beside it.")
-         << allowed;
+    tips
+        << tr("Allowance: the file lets these parts touch or overlap, so that the moving part counts as thinner by "
+              "this "
+              "length against them. An allowance above the clearance is usual for a fit; the clearance is what is left "
+              "beside it.")
+        << allowed;
   }
   row.setToolTip(StepGaps, tips.join(QLatin1Char('\n')));
 }

@@ -26,8 +26,7 @@ QString numberText(double number) {
 std::string canonical(const QString& file) { return QFileInfo(file).canonicalFilePath().toStdString(); }
 
 bool hasSettings(const StudyCell& cell, const SessionSnapshot& run) {
-  return cell.strategy == run.provenance.planner &&
-         std::all_of(kVaried.begin(), kVaried.end(), [&](ParameterId id) {
+  return cell.strategy == run.provenance.planner && std::all_of(kVaried.begin(), kVaried.end(), [&](ParameterId id) {
            const auto setting = cell.settings.find(id);
            return setting == cell.settings.end() || std::abs(setting->second - run.parameters[id]) < 1e-6;
          });

@@ -25,8 +25,8 @@ class PaperComparison final : public QObject {
   const std::vector<Study>& studiesOf(const std::string& scenarioFile);
 
   const Workbench& bench_;
-  std::string scenarioFile_;      ///< file to which studies_ belongs
-  std::vector<Study> studies_;    ///< studies that name a paper and this scenario
+  std::string scenarioFile_;       ///< file to which studies_ belongs
+  std::vector<Study> studies_;     ///< studies that name a paper and this scenario
   std::uint64_t comparedRun_ = 0;  ///< run that is compared; 0: none
 };
 

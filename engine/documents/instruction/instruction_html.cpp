@@ -124,8 +124,8 @@ class Page {
                               {std::to_string(parts), std::to_string(instruction_.steps)})) +
             (tools.empty() ? std::string() : paragraph("", say(GLISSADE_TEXT("Tools: %1"), {tools}))) +
             (instruction_.incomplete.empty() ? std::string() : paragraph("work", instruction_.incomplete)) +
-            statements + "</div></div>\n" + "<div class=\"picture\">" + image("image/png", pictures_.finished, instruction_.title) +
-            "</div>\n</section>\n";
+            statements + "</div></div>\n" + "<div class=\"picture\">" +
+            image("image/png", pictures_.finished, instruction_.title) + "</div>\n</section>\n";
   }
 
   std::string cell(PartsColumn column, const PartsListRow& row) const {

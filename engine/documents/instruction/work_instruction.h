@@ -41,7 +41,7 @@ struct WorkInstruction {
   std::string incomplete;  ///< names the parts for which the plan has no step; empty: there are none
   /// Statements of the first page: accepted clashes, parts that touch nothing, excluded parts.
   std::vector<std::string> statements;
-  std::string imprint;  ///< date, revision and author of the document; empty: none is stated
+  std::string imprint;         ///< date, revision and author of the document; empty: none is stated
   std::vector<BodyId> bodies;  ///< ids of the whole product
   std::vector<PartsListRow> parts;
   std::vector<std::string> tools;  ///< without duplicates
@@ -58,8 +58,7 @@ struct InstructionHeading {
 /// Makes the instruction of a plan. Each step of the plan and of its subassemblies is in one panel; a group is put
 /// together before the step that brings it. Ends early after a stop. Precondition: the plan is about the product.
 WorkInstruction workInstruction(const AssemblyPlan& plan, const AssembledProduct& product,
-                                const InstructionHeading& heading, const PlanWords& words,
-                                const WorkWatch& watch = {});
+                                const InstructionHeading& heading, const PlanWords& words, const WorkWatch& watch = {});
 
 /// How the product lies in each step of the plan, in the order of removal.
 std::vector<Viewpoint> viewsOfSteps(const WorkInstruction& instruction, const AssemblyPlan& plan);

@@ -83,8 +83,7 @@ TEST(ThreadedSession, ASimulatedOperatorRestsOnceTheRunHasEnded) {
 class DeviceAside final : public OperatorDevice {
  public:
   Pose advance(double dt, const OperatorView& view, const Box3& bounds) override {
-    return began_ ? view.q_device
-                  : integrate(view.q_device, {Vector3(0.1, 0.0, 0.0), Vector3::Zero()}, bounds, dt);
+    return began_ ? view.q_device : integrate(view.q_device, {Vector3(0.1, 0.0, 0.0), Vector3::Zero()}, bounds, dt);
   }
   void restart() override { began_ = true; }
 

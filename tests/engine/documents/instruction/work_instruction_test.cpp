@@ -134,12 +134,10 @@ TEST(WorkInstruction, AcceptedClashesAreOnTheCover) {
 TEST(WorkInstruction, ExcludedPartsPartsBesideAndTheDateAreOnTheCover) {
   InstructedProduct made = test::blocksOnABase(3);
   made.plan.isolated = {"block1"};
-  const WorkInstruction instruction =
-      workInstruction(made.plan, made.product, {"stand", "1 May 2026", {"cover", "cover#2"}},
-                      test::wordsIn(Language::English));
-  EXPECT_EQ(instruction.statements,
-            (std::vector<std::string>{"Touches nothing and may lie beside the product: block1.",
-                                      "Excluded, without a step: cover, cover#2"}));
+  const WorkInstruction instruction = workInstruction(
+      made.plan, made.product, {"stand", "1 May 2026", {"cover", "cover#2"}}, test::wordsIn(Language::English));
+  EXPECT_EQ(instruction.statements, (std::vector<std::string>{"Touches nothing and may lie beside the product: block1.",
+                                                              "Excluded, without a step: cover, cover#2"}));
   const auto pages = instructionPages(instruction, {}, Paper::A4);
   std::string all;
   for (const PageText& each : pages.front().texts) all += each.text + "\n";
