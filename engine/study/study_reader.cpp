@@ -210,7 +210,7 @@ class CellLister {
   std::vector<StudyRow> rowsOfFile() const {
     StudyAxes general = file_.axes;
     if (general.operators.empty()) general.operators = {"none"};
-    if (file_.rows.empty()) return {{"", general, {}, ""}};
+    if (file_.rows.empty()) return {{"", general, {}, {}, ""}};
     std::vector<StudyRow> rows = file_.rows;
     std::set<std::string> labels;
     for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -205,7 +205,8 @@ void StepTable::fitColumns() {
   const int inside = width() - 2 * frameWidth() - style()->pixelMetric(QStyle::PM_ScrollBarExtent);
   const int left = inside - used;
   const int tools = std::max(sizeHintForColumn(StepTools), header()->sectionSizeHint(StepTools));
-  const int most = std::max(kPartColumn, left - tools);  // what the tools leave free
+  const int wanted = std::clamp(sizeHintForColumn(StepPart), kLeastPartColumn, kPartColumn);
+  const int most = std::max(wanted, left - tools);  // what the tools leave free
   const int part = std::clamp(left - columnWidth(StepGaps), kLeastPartColumn, most);
   setColumnWidth(StepPart, part);
   setColumnWidth(StepTools, std::max(kLeastToolColumn, left - part));

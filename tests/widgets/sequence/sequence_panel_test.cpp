@@ -97,6 +97,21 @@ TEST_F(SequencePanelTest, AStepSaysOnceAndWithItsReasonWhatIsHeld) {
   EXPECT_TRUE(tip.contains(QStringLiteral("because nothing supports it"))) << tip.toStdString();
 }
 
+/// The names and motions of the parts are short.
+TEST_F(SequencePanelTest, WhatIsHeldIsNotCutBesideFreeRoom) {
+  auto plan = std::make_shared<AssemblyPlan>(*shown.plan);
+  for (AssemblyStep& step : plan->steps) step.only().falling = {"drawer"};
+  shown.plan = plan;
+  panel.setPlan(shown);
+  panel.show();
+  for (int width = 420; width < 700; width += 20) {
+    panel.resize(width, 500);
+    const int free = table().columnWidth(1) - table().sizeHintForColumn(1);
+    const int lacking = table().sizeHintForColumn(3) - table().columnWidth(3);
+    EXPECT_FALSE(free > 8 && lacking > 0 && table().columnWidth(1) > 120) << width << " " << free << " " << lacking;
+  }
+}
+
 TEST_F(SequencePanelTest, APartThatTouchesNothingIsNamed) {
   auto plan = std::make_shared<AssemblyPlan>(*shown.plan);
   plan->isolated = {"cap"};
