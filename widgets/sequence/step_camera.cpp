@@ -19,24 +19,32 @@ StepCamera::StepCamera(const Workbench& bench, SequenceController& sequence)
 /// The box of the step's bodies on their whole way, and of the bodies beside them.
 Box3 StepCamera::boxOfStep(std::size_t step) const {
   const ShownPlan& shown = sequence_.shown();
-  const AssembledProduct& product = *shown.product;
-  Box3 way;
   Box3 place;
-  for (const StepMotion& motion : shown.plan->steps[step].motions) {
+  for (const std::size_t body : bodiesOf(shown.plan->steps[step], *shown.product)) place.extend(placeOf(body));
+  Box3 box = wayOf(shown.plan->steps[step]);
+  for (const std::size_t other : bodiesIn(presentAt(step))) {
+    if (placeOf(other).intersects(place)) box.extend(placeOf(other));
+  }
+  return box;
+}
+
+Box3 StepCamera::placeOf(std::size_t body) const {
+  const RigidBody& placed = sequence_.shown().product->bodies[body];
+  return boundingBox(*placed.mesh, placed.X_WB);
+}
+
+Box3 StepCamera::wayOf(const AssemblyStep& step) const {
+  Box3 box;
+  for (const StepMotion& motion : step.motions) {
     for (const BodyId& id : motion.bodies()) {
-      const RigidBody& body = product.body(id);
+      const RigidBody& body = sequence_.shown().product->body(id);
       const Pose X_PB = inverse(motion.path.front().q) * body.X_WB;
       std::vector<Pose> poses;
       for (const PathPoint& point : motion.path) poses.push_back(point.q * X_PB);
-      way.extend(sweptBox(*body.mesh, poses));
-      place.extend(boundingBox(*body.mesh, body.X_WB));
+      box.extend(sweptBox(*body.mesh, poses));
     }
   }
-  for (const std::size_t other : bodiesIn(presentAt(step))) {
-    const Box3 box = boundingBox(*product.bodies[other].mesh, product.bodies[other].X_WB);
-    if (box.intersects(place)) way.extend(box);
-  }
-  return way;
+  return box;
 }
 
 /// The bodies that are there when the step is carried out.
@@ -62,7 +70,8 @@ void StepCamera::fitAll() {
   const ShownPlan& shown = sequence_.shown();
   if (!shown.plan || !shown.product) return;
   Box3 box;
-  for (std::size_t step = 0; step < shown.plan->steps.size(); ++step) box.extend(boxOfStep(step));
+  for (std::size_t body = 0; body < shown.product->bodies.size(); ++body) box.extend(placeOf(body));
+  for (const AssemblyStep& step : shown.plan->steps) box.extend(wayOf(step));
   fit(box);
 }
 

@@ -38,6 +38,8 @@ class StepCamera final : public QObject {
   void fitAll();
   void fit(const Box3& box);
   Box3 boxOfStep(std::size_t step) const;
+  Box3 placeOf(std::size_t body) const;
+  Box3 wayOf(const AssemblyStep& step) const;
   BodySet presentAt(std::size_t step) const;
 
   const Workbench& bench_;
