@@ -6,7 +6,7 @@ namespace glissade {
 namespace {
 
 /// Distance at which a target counts as reached, as a share of the distance of targets.
-constexpr double kReached = 0.1;
+constexpr double kTargetReached = 0.1;
 
 }  // namespace
 
@@ -17,7 +17,7 @@ std::optional<Pose> HandGuide::lead(const Pose& q, CollisionQuery& sight, Collis
 }
 
 bool HandGuide::isKept(const Pose& q, const std::optional<Pose>& found, CollisionQuery& object) const {
-  if (!target_ || metric_.distance(q, *target_) < kReached * ahead_) return false;
+  if (!target_ || metric_.distance(q, *target_) < kTargetReached * ahead_) return false;
   if (found && metric_.distance(*found, *target_) > ahead_) return false;
   return isFreeMotion(q, *target_, metric_.radius(), object);
 }
