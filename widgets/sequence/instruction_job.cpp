@@ -55,11 +55,12 @@ LineTexts textsOf(const LineAccess& access, const std::vector<RigidBody>& bodies
 }
 
 /// The date of making. Builds that are to be repeated state another one (reproducible-builds.org).
-QString imprint() {
+QString imprint(Language language) {
   bool isStated = false;
   const qint64 stated = qEnvironmentVariable("SOURCE_DATE_EPOCH").toLongLong(&isStated);
   const QDate date = isStated ? QDateTime::fromSecsSinceEpoch(stated, Qt::UTC).date() : QDate::currentDate();
-  return QLocale().toString(date, QLocale::LongFormat);
+  const QLocale locale(language == Language::French ? QLocale::French : QLocale::English);
+  return locale.toString(date, QLocale::LongFormat);
 }
 
 bool isPdf(const QString& file) { return file.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive); }
@@ -82,7 +83,7 @@ void InstructionJob::start(PlanDocument document, const QString& file, Finished 
   content->said = sequence_.statedDemands(*shown.product);
   if (shown.access) content->access = textsOf(*shown.access, shown.product->bodies);
   const Scenario& scenario = bench_.document.scenario()->scenario;
-  content->heading = {nameOfProduct(*bench_.document.scenario()), imprint().toStdString(), shownLeftOut(scenario)};
+  content->heading = {nameOfProduct(*bench_.document.scenario()), {}, shownLeftOut(scenario)};
   content->deviation = surfaceDeviation(*bench_.document.scenario());
   content->missing = bench_.document.scenario()->missing;
   content->times = sequence_.workTimes().times();
@@ -90,6 +91,7 @@ void InstructionJob::start(PlanDocument document, const QString& file, Finished 
   content->paper = sequence_.instructions().paper();
   content->language = windowLanguage();
   if (document == PlanDocument::Instruction) content->language = content->look.language.value_or(content->language);
+  content->heading.imprint = imprint(content->language).toStdString();
   content->file = file;
   const QString what = document == PlanDocument::Instruction ? tr("Writing the work instruction")
                                                              : tr("Writing the report of the sequence");
