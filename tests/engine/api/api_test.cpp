@@ -76,6 +76,16 @@ TEST(Api, AProductIsTakenApart) {
   EXPECT_TRUE(verdict->valid()) << verdict->text;
 }
 
+/// The judge has to read the file with the same deflection.
+TEST(Api, APlanStatesTheDeflectionOfItsProduct) {
+  const std::string file = glissade::test::stepFileDirectory() + "/bolt-in-plate.step";
+  const auto product = g::load<g::Product>(file, {.deflection = 2e-5});
+  ASSERT_TRUE(product) << product.error().text();
+  const auto plan = g::sequence(*product);
+  ASSERT_TRUE(plan) << plan.error().text();
+  EXPECT_NE(plan->json(file).find("\"deflection_m\": 2e-05"), std::string::npos);
+}
+
 TEST(Api, APlannerFromOutsideIsCertified) {
   g::Planners planners;
   std::vector<g::Pose> way;
