@@ -83,8 +83,14 @@ StrategyRules engineRules(const Rules& rules) {
 }
 
 CoarseStep publicStep(const TopologicalStep& step) {
-  return {static_cast<std::size_t>(step.place), numberOf(step.border), step.placeName,        step.borderName,
-          publicPose(step.to),                  step.border < 0 || step.milestone, step.planner, step.geometrical,
+  return {static_cast<std::size_t>(step.place),
+          numberOf(step.border),
+          step.placeName,
+          step.borderName,
+          publicPose(step.to),
+          step.border < 0 || step.milestone,
+          step.planner,
+          step.geometrical,
           toString(step.why)};
 }
 
@@ -243,9 +249,8 @@ Result<Layers> Layers::withBodyValue(const std::string& id, const std::string& n
   edits.bodies[id][name] = value;
   const Layers edited = withEdits(impl(), std::move(edits));
   if (name != "mobility") return edited;
-  return attempt<Layers>(kBuilding, [&] {
-    return built(edited.impl().task, stop, edited.impl().problem().scene.knowledge);
-  });
+  return attempt<Layers>(kBuilding,
+                         [&] { return built(edited.impl().task, stop, edited.impl().problem().scene.knowledge); });
 }
 
 Result<Layers> Layers::withAttribute(const AttributeDefinition& definition, const PlaceFunction& compute) const {

@@ -20,7 +20,8 @@ Result<PreparedRunPtr> prepared(SessionConfig given, const std::vector<glissade:
   if (!options.strategy.empty()) given.plannerId = options.strategy;
   if (options.seed) given.seed = *options.seed;
   if (auto fault = setAll(options.parameters, given.parameters)) return *std::move(fault);
-  if (options.sampler) given.problem.source = sourceOf(options.sampler, valueOf<Problem>({given.problem, given.parameters}));
+  if (options.sampler)
+    given.problem.source = sourceOf(options.sampler, valueOf<Problem>({given.problem, given.parameters}));
   auto run = std::make_shared<PreparedRun>(PreparedRun{given.problem});
   PlannerRegistry planners = makePlannerRegistry();
   if (options.planners != nullptr) {

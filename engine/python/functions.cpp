@@ -106,7 +106,8 @@ void addPlan(py::module_& module) {
       py::arg("planners") = std::map<std::string, py::object>(), py::arg("progress") = py::none(),
       "Plans a Scenario or a Problem and returns a Run with a certified path. `planners`: functions of a\n"
       "PlannerContext that return the poses of a path, by their ids. `operator`: the name of a simulated one, or a\n"
-      "function of a HandView that returns the next pose. `sampler`: a function (problem, seed) that returns a function\n"
+      "function of a HandView that returns the next pose. `sampler`: a function (problem, seed) that returns a "
+      "function\n"
       "which draws a pose. `progress` gets RunCounts.");
 }
 

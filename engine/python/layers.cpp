@@ -20,7 +20,8 @@ namespace {
 AttributeValue valueOfAttribute(const py::handle& value) {
   if (py::isinstance<py::str>(value)) return value.cast<std::string>();
   if (py::isinstance<py::bool_>(value)) return value.cast<bool>();
-  if (PyNumber_Check(value.ptr()) == 0) throw py::type_error("the value of an attribute is no truth value, number or text");
+  if (PyNumber_Check(value.ptr()) == 0)
+    throw py::type_error("the value of an attribute is no truth value, number or text");
   return value.cast<double>();
 }
 
@@ -108,7 +109,8 @@ void addPlaces(py::module_& module) {
                 std::vector<py::ssize_t>{static_cast<py::ssize_t>(place.boxes.size()), 2, 3});
           },
           "Boxes that cover exactly its cells: array of shape (n, 2, 3), lower and upper corners.")
-      .def_property_readonly("anchor", [](const Place& place) { return arrayOf(place.anchor); }, "its widest point")
+      .def_property_readonly(
+          "anchor", [](const Place& place) { return arrayOf(place.anchor); }, "its widest point")
       .def_readonly("narrowness", &Place::narrowness, "diameter of the largest ball about the anchor, metres")
       .def_readonly("complexity", &Place::complexity)
       .def_readonly("passage", &Place::passage, "True for a doorway.")
@@ -160,7 +162,8 @@ void addRules(py::module_& module) {
       .def_readonly("local", &FineRule::local, "id of the local planner")
       .def_readonly("geometrical", &FineRule::geometrical, "the geometrical planner reduces the place first")
       .def("__repr__", [](const FineRule& rule) {
-        return "<glissade.FineRule '" + rule.when + "': " + (rule.geometrical ? "geometrical, " : "") + rule.local + ">";
+        return "<glissade.FineRule '" + rule.when + "': " + (rule.geometrical ? "geometrical, " : "") + rule.local +
+               ">";
       });
 
   const Rules usual;
@@ -176,15 +179,15 @@ void addRules(py::module_& module) {
       .def_readonly("fine", &Rules::fine, "the first one that holds decides")
       .def_readonly("loop", &Rules::loop, "after a failed step the next best coarse path is tried")
       .def_readonly("fitted", &Rules::fitted, "passages are crossed in the configuration that fits best")
-      .def("__repr__", [](const Rules& rules) {
-        return "<glissade.Rules node: " + rules.node + "; edge: " + rules.edge + ">";
-      });
+      .def("__repr__",
+           [](const Rules& rules) { return "<glissade.Rules node: " + rules.node + "; edge: " + rules.edge + ">"; });
 }
 
 /// "P1 > B1-2 > P2 > G"
 std::string wayOf(const CoarsePlan& plan) {
   std::string way;
-  for (const CoarseStep& step : plan.steps) way += (way.empty() ? "" : " > ") + step.placeName + " > " + step.borderName;
+  for (const CoarseStep& step : plan.steps)
+    way += (way.empty() ? "" : " > ") + step.placeName + " > " + step.borderName;
   return way.empty() ? "no way" : way;
 }
 

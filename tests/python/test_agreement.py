@@ -8,11 +8,12 @@ import pytest
 
 import glissade
 
-PATHS = [("environment-1/scenario.json", "contact-birrt", "expert"), ("environment-1/scenario.json", "auto", "none"),
+PATHS = [("environment-1/scenario.json", "contact-birrt", "expert"),
          ("sliding-plane/scenario.json", "contact-birrt", "novice"), ("teaching/scenario.json", "birrt", "none"),
-         ("shape-game/paper-like-circle.json", "gts", "none"), ("shape-game/tight-square.json", "gts2", "none"),
-         ("shape-game/tight-star.json", "gts", "none"), ("pump/unmount.json", "auto", "none"),
-         ("interlocked/turn.json", "auto", "none"), ("puzzles/bent-bars.json", "auto", "none")]
+         ("shape-game/paper-like-circle.json", "gts", "none"), ("shape-game/paper-like-star.json", "auto", "none"),
+         ("pump/unmount.json", "auto", "none"), ("pump/mount.json", "auto", "none"),
+         ("interlocked/turn.json", "auto", "none"), ("puzzles/bent-bars.json", "auto", "none"),
+         ("bolted-brackets/scenario.json", "auto", "none")]
 PRODUCTS = ["bolted-brackets/scenario.json", "roller-stand/scenario.json", "nut-and-bolt/scenario.json"]
 
 

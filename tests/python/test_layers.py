@@ -64,9 +64,11 @@ def test_an_attribute_and_rules_from_outside(layers):
 
 def test_a_graph_of_networkx_has_the_same_shortest_way(layers):
     import networkx
-    plan = layers.coarse_plan("gt")
-    graph = plan.graph.to_networkx()
-    assert networkx.shortest_path(graph, 0, 1, weight="cost") == plan.nodes
+    for strategy in ("gt", "gts2"):
+        plan = layers.coarse_plan(strategy)
+        graph = plan.graph.to_networkx()
+        assert networkx.shortest_path(graph, 0, 1, weight="weight") == plan.nodes
+        assert networkx.shortest_path_length(graph, 0, 1, weight="weight") == pytest.approx(plan.cost)
     assert graph.nodes[0]["name"] == "S" and len(graph.edges) == len(plan.graph.edges)
 
 
@@ -90,7 +92,7 @@ def test_a_sampler_in_python_draws_for_every_planner(problem):
         runs = [glissade.plan(problem, strategy=strategy, seed=1, sampler=sampler) for _ in range(2)]
         assert glissade.check(problem, runs[0].path).valid
         assert np.array_equal(runs[0].path.configurations, runs[1].path.configurations), strategy
-    assert glissade.plan(problem, strategy="birrt", sampler=sampler).path.rotation < 1e-9
+    assert glissade.plan(problem, strategy="birrt", sampler=sampler).path.rotation < 1e-9  # it turns nothing
 
 
 def test_a_wrong_sampler_is_an_error(problem):

@@ -51,21 +51,21 @@ struct Place {
 
 /// The overlap of two places.
 struct Border {
-  std::string name{};                        ///< "B1-6"
-  std::array<std::size_t, 2> places{};       ///< numbers of the places
-  Vector3 centre = Vector3::Zero();          ///< centre of the faces that they share, world frame
-  Vector3 normal = Vector3::UnitX();         ///< unit, from the first place to the second one, world frame
-  double opening = 0.0;                      ///< area of the shared faces, square metres
+  std::string name{};                   ///< "B1-6"
+  std::array<std::size_t, 2> places{};  ///< numbers of the places
+  Vector3 centre = Vector3::Zero();     ///< centre of the faces that they share, world frame
+  Vector3 normal = Vector3::UnitX();    ///< unit, from the first place to the second one, world frame
+  double opening = 0.0;                 ///< area of the shared faces, square metres
 };
 
 /// The topological graph of a query (paper 2, section 3.2).
 struct TopologicalGraph {
   /// The start ("S"), the goal ("G") or a border.
   struct Node {
-    std::string name{};                    ///< "S", "G" or the name of the border
-    std::optional<std::size_t> border{};   ///< number of the border; nothing for "S" and "G"
-    Vector3 position = Vector3::Zero();    ///< metres, world frame
-    double cost = 0.0;                     ///< C_n of equation (1), which a strategy's rule gives
+    std::string name{};                   ///< "S", "G" or the name of the border
+    std::optional<std::size_t> border{};  ///< number of the border; nothing for "S" and "G"
+    Vector3 position = Vector3::Zero();   ///< metres, world frame
+    double cost = 0.0;                    ///< C_n of equation (1), which a strategy's rule gives
   };
   /// The crossing of a place between two of its borders.
   struct Edge {
@@ -76,7 +76,7 @@ struct TopologicalGraph {
     double cost = 0.0;      ///< C_e of equation (1), which a strategy's rule gives; infinite for a forbidden place
   };
   std::vector<Node> nodes{};  ///< "S", "G", then the borders
-  std::vector<Edge> edges{};  ///< may be crossed in both directions
+  std::vector<Edge> edges{};  ///< one for each direction
 };
 
 /// Chooses the planners that cross a place.
@@ -92,8 +92,8 @@ struct Rules {
   std::string node = "0";         ///< f of equation (1), over size, a.*, b.* (the places that meet) and object.*
   std::string edge = "distance";  ///< g of equation (1), over distance, size, place.* and object.*
   std::vector<FineRule> fine{{"1", false, "rrt"}};  ///< the first one that holds decides; the last one is "1"
-  bool loop = false;    ///< after a failed step the next best coarse path is tried
-  bool fitted = false;  ///< passages are crossed in the configuration that fits best
+  bool loop = false;                                ///< after a failed step the next best coarse path is tried
+  bool fitted = false;                              ///< passages are crossed in the configuration that fits best
 };
 
 /// A place to cross and a border to reach (paper 2, section 4.1).
@@ -111,30 +111,30 @@ struct CoarseStep {
 
 /// The cheapest way through the places, before anything is planned finely.
 struct CoarsePlan {
-  std::string strategy{};              ///< id of the strategy
-  Rules rules{};                       ///< its rules
-  TopologicalGraph graph{};            ///< the graph with the costs of these rules
-  std::vector<std::size_t> nodes{};    ///< nodes of the graph from "S" to "G"; empty: there is no way
-  double cost = 0.0;                   ///< sum of the costs on the way
-  std::vector<CoarseStep> steps{};     ///< the places to cross, in order
-  std::vector<std::string> closed{};   ///< places and borders of infinite cost, where there is no way
+  std::string strategy{};             ///< id of the strategy
+  Rules rules{};                      ///< its rules
+  TopologicalGraph graph{};           ///< the graph with the costs of these rules
+  std::vector<std::size_t> nodes{};   ///< nodes of the graph from "S" to "G"; empty: there is no way
+  double cost = 0.0;                  ///< sum of the costs on the way
+  std::vector<CoarseStep> steps{};    ///< the places to cross, in order
+  std::vector<std::string> closed{};  ///< places and borders of infinite cost, where there is no way
 };
 
 /// Options of Layers::make(). Nothing: as the scenario says, or the usual value.
 struct LayerOptions {
-  std::optional<double> cellSize{};        ///< edge of the finest cells, metres; 0: by memory
-  std::optional<double> memory{};          ///< memory of the octree, MiB
-  std::optional<int> topologyLevel{};      ///< level of the cells of places
-  std::optional<std::string> identifier{}; ///< how places are found: "region-growing" or "watershed"
-  StopToken stop{};                        ///< ends the work
+  std::optional<double> cellSize{};         ///< edge of the finest cells, metres; 0: by memory
+  std::optional<double> memory{};           ///< memory of the octree, MiB
+  std::optional<int> topologyLevel{};       ///< level of the cells of places
+  std::optional<std::string> identifier{};  ///< how places are found: "region-growing" or "watershed"
+  StopToken stop{};                         ///< ends the work
 };
 
 /// A semantic attribute of places that is added from outside. The kind of its values is that of `initial`.
 struct AttributeDefinition {
-  std::string name{};              ///< name in rules, "place.<name>": lower-case letters, digits and '_'
-  AttributeValue initial = 0.0;    ///< value where no other is known
-  double minimum = -1e9;           ///< least number
-  double maximum = 1e9;            ///< largest number
+  std::string name{};                  ///< name in rules, "place.<name>": lower-case letters, digits and '_'
+  AttributeValue initial = 0.0;        ///< value where no other is known
+  double minimum = -1e9;               ///< least number
+  double maximum = 1e9;                ///< largest number
   std::vector<std::string> choices{};  ///< the possible texts; empty: any
 };
 
