@@ -5,22 +5,20 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 
+#include "tests/engine/api/values.h"
 #include "tests/engine/support/directories.h"
 
 namespace {
 
 namespace g = glissade;
 using glissade::ErrorKind;
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+using glissade::test::at;
+using glissade::test::kNan;
 
 std::string sample(const std::string& file) { return glissade::test::sourceDirectory() + "/samples/" + file; }
 
 g::Mesh cube(double edge) { return *g::Mesh::box({edge, edge, edge}); }
-
-g::Pose at(double x, double y, double z) { return {{x, y, z}, g::Quaternion::Identity()}; }
 
 /// A cube that has to get past another one.
 g::World world() { return *g::World::make({{"wall", "", cube(0.4), {}}}, cube(0.1)); }

@@ -4,21 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
-#include <numeric>
 #include <random>
 
-#include "tests/engine/support/directories.h"
+#include "tests/engine/api/values.h"
 
 namespace {
 
 namespace g = glissade;
 using glissade::ErrorKind;
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-g::Pose at(double x, double y, double z) { return {{x, y, z}, g::Quaternion::Identity()}; }
+using glissade::test::at;
+using glissade::test::kNan;
 
 g::Body beam(const std::string& id, const g::Vector3& edges, const g::Vector3& middle) {
   return {id, "", *g::Mesh::box(edges), {middle, g::Quaternion::Identity()}};
