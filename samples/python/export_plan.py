@@ -34,7 +34,7 @@ for step, removed in enumerate(reversed(plan.steps), start=1):
                      "way_mm": round(1e3 * length, 1),
                      "clearance_mm": round(1e3 * motion.min_clearance, 3) if np.isfinite(motion.min_clearance) else ""})
         ways.append({"step": step, "parts": motion.bodies,
-                     "poses": [{"xyz_mm": (1e3 * pose[:3]).round(4).tolist(), "wxyz": pose[[6, 3, 4, 5]].tolist()}
+                     "poses": [{"xyz_mm": (1e3 * pose[:3]).round(6).tolist(), "wxyz": pose[[6, 3, 4, 5]].tolist()}
                                for pose in way]})
 
 with open(sys.argv[1], "w", newline="", encoding="utf-8") as file:

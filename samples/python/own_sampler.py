@@ -9,7 +9,7 @@ class Sampler:
 
     def __init__(self, problem, seed):
         self.random = np.random.default_rng(seed)
-        self.ends = np.array([problem.start, problem.goal])
+        self.ends = np.stack([np.asarray(problem.start), np.asarray(problem.goal)])
         self.bounds = problem.bounds
 
     def __call__(self):
