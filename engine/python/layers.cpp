@@ -18,6 +18,7 @@ namespace {
 
 /// True and False, numbers and texts, also those of NumPy.
 AttributeValue valueOfAttribute(const py::handle& value) {
+  if (py::hasattr(value, "item")) return valueOfAttribute(value.attr("item")());
   if (py::isinstance<py::str>(value)) return value.cast<std::string>();
   if (py::isinstance<py::bool_>(value)) return value.cast<bool>();
   if (PyNumber_Check(value.ptr()) == 0)

@@ -46,7 +46,7 @@ def test_layers_are_arrays_and_values(layers):
 def test_an_attribute_changes_the_coarse_plan(layers):
     plan = layers.coarse_plan("gt")
     window = window_of(layers, plan)
-    closed = layers.with_place_value(layers.places[window].name, "forbidden", True)
+    closed = layers.with_place_value(layers.places[window].name, "forbidden", np.bool_(True))
     assert window not in places_of(closed.coarse_plan("gt")) and window in places_of(layers.coarse_plan("gt"))
     run = glissade.plan(closed.problem, strategy="gts", seed=1)
     assert glissade.check(closed.problem, run.path).valid
