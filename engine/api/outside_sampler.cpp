@@ -6,8 +6,8 @@
 
 namespace glissade::api {
 
-ConfigurationSource sourceOf(SamplerFunction sampler, Problem problem) {
-  return [sampler = std::move(sampler), problem = std::move(problem)](std::uint64_t seed) -> ConfigurationDraw {
+ConfigurationSource sourceOf(SamplerFunction sampler, const Problem& problem) {
+  return [sampler = std::move(sampler), problem](std::uint64_t seed) -> ConfigurationDraw {
     DrawFunction draw = sampler(problem, seed);
     if (!draw) throw OutsideFault("the sampler made no function");
     return [draw = std::move(draw), bounds = problem.impl().problem.bounds] {

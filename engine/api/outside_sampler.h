@@ -7,6 +7,6 @@
 namespace glissade::api {
 
 /// The source of the problem's random configurations, from a sampler from outside.
-ConfigurationSource sourceOf(SamplerFunction sampler, Problem problem);
+ConfigurationSource sourceOf(SamplerFunction sampler, const Problem& problem);
 
 }  // namespace glissade::api
