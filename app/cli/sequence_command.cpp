@@ -9,8 +9,7 @@
 
 #include "app/cli/interrupt.h"
 #include "app/cli/plan_conditions.h"
-#include "app/cli/text_cells.h"
-#include "engine/base/number_text.h"
+#include "app/cli/plan_printer.h"
 #include "engine/base/quantity_text.h"
 #include "engine/base/time_limit.h"
 #include "engine/base/version_text.h"
@@ -23,9 +22,6 @@
 #include "engine/fits/joint_finder.h"
 #include "engine/import/missing_shapes_json.h"
 
-#include "engine/documents/plan_tasks.h"
-#include "engine/documents/plan_words.h"
-#include "engine/sequence/accepted_clashes.h"
 #include "engine/sequence/fasteners.h"
 #include "engine/sequence/plan_bodies.h"
 #include "engine/sequence/product_changes.h"
@@ -33,7 +29,6 @@
 #include "engine/sequence/sequence_run.h"
 #include "engine/sequence/stated_units.h"
 #include "engine/sequence/step_motion.h"
-#include "engine/sequence/subassembly_lines.h"
 
 namespace glissade::cli {
 namespace {
@@ -101,21 +96,16 @@ class ProgressHost final : public SequenceHost {
   void stepFound(const AssemblyPlan& plan) override {
     for (; reported_ < plan.steps.size(); ++reported_) {
       const StepMotion& motion = plan.steps[reported_].only();
-      notes_.note({motion.with.empty() ? GLISSADE_TEXT("%1 of %2 {2|part|parts}: %3 removed (%4)")
-                                       : GLISSADE_TEXT("%1 of %2 {2|part|parts}: %3 removed as one (%4)"),
-                   {plan.removed(), plan.parts(), namesOf(motion), methodInWords(motion.method)}});
+      notes_.note(
+          {motion.with.empty() ? GLISSADE_TEXT("%1 of %2 {2|part|parts}: %3 removed (%4)")
+                               : GLISSADE_TEXT("%1 of %2 {2|part|parts}: %3 removed as one (%4)"),
+           {plan.removed(), plan.parts(), namesOf(motion.bodies(), product_, " + "), methodInWords(motion.method)}});
     }
     if (file_.empty()) return;
     unkept_ = plan;
     keep();
   }
 
-  const std::string& nameOf(const BodyId& id) const { return product_.body(id).shown(); }
-  std::string namesOf(const StepMotion& motion) const {
-    std::string names = nameOf(motion.body);
-    for (const BodyId& id : motion.with) names += " + " + nameOf(id);
-    return names;
-  }
   /// The motions of this plan are not reported.
   void skip(const AssemblyPlan& plan) {
     for (const AssemblyStep& step : plan.steps) reported_ += step.motions.size();
@@ -281,164 +271,6 @@ Diagnostic ofOptions(Diagnostic why, const SequenceOptions& options) {
   return why;
 }
 
-/// Prints the texts about a plan in a language.
-class PlanPrinter {
- public:
-  PlanPrinter(const ProgressHost& host, const Console& console)
-      : host_(host), console_(console), words_(console.language, inMillimetres) {}
-
-  void print(const AssemblyPlan& plan, double seconds) const;
-
- private:
-  void printSteps(const std::vector<AssemblyStep>& steps, const std::string& group, const std::string& before) const;
-  void printNotes(const StepMotion& motion, const std::vector<Allowance>& allowances, const std::string& before) const;
-  void printStuck(const std::vector<StuckBody>& all, const std::string& before) const;
-  void printLines(const std::vector<SubassemblyLine>& lines, std::size_t steps, const std::string& group,
-                  const std::string& before) const;
-  Message motionOf(const StepMotion& motion) const;
-  std::string namesOf(const std::vector<BodyId>& ids, const char* separator) const;
-  void printIndented(const std::string& before, const Message& line) const;
-
-  const ProgressHost& host_;
-  const Console& console_;
-  PlanWords words_;
-};
-
-void PlanPrinter::printIndented(const std::string& before, const Message& line) const {
-  std::cout << before;
-  console_.print(line);
-}
-
-std::string PlanPrinter::namesOf(const std::vector<BodyId>& ids, const char* separator) const {
-  std::string names;
-  for (const BodyId& id : ids) names += (names.empty() ? "" : separator) + host_.nameOf(id);
-  return names;
-}
-
-/// "straight, clearance 0.5 mm to 'plate'"
-Message PlanPrinter::motionOf(const StepMotion& motion) const {
-  Message text = methodInWords(motion.method);
-  if (!motion.certified) text = {GLISSADE_TEXT("%1, not certified"), {text}};
-  if (motion.proof.nearest.empty()) return text;
-  return {GLISSADE_TEXT("%1, clearance %2 to '%3'"),
-          {text, Length{motion.proof.minClearance}, host_.nameOf(motion.proof.nearest)}};
-}
-
-/// Prints the steps with the numbers of the order of assembly, as in documents; the motions of a step of several are
-/// below it. `group`: number of the step that adds the group of these steps.
-void PlanPrinter::printSteps(const std::vector<AssemblyStep>& steps, const std::string& group,
-                             const std::string& before) const {
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    const AssemblyStep& step = steps[i];
-    const std::string number = toRight(stepNumber(steps.size() - 1 - i, group), 4) + "  ";
-    const bool isOne = step.motions.size() == 1;
-    if (!isOne) std::cout << before << number << nameOfStep(step, host_.product()) << "\n";
-    for (const StepMotion& motion : step.motions) {
-      std::string names = (isOne ? number : std::string(6, ' ')) + host_.namesOf(motion);
-      if (motion.fastener != FastenerKind::None) {
-        names += " (" + console_.text(CatalogueText{kFastenerNames.of(motion.fastener)}) + ")";
-      }
-      printIndented(before, {GLISSADE_TEXT("%1: %2"), {names, motionOf(motion)}});
-      printNotes(motion, allowancesInOrder(steps, i, motion), before + (isOne ? "      " : "        "));
-    }
-    for (const std::string& text : words_.violations(step, host_.product())) {
-      printIndented(before + "      ", {GLISSADE_TEXT("forced, although: %1"), {text}});
-    }
-  }
-}
-
-/// Prints what is to be said of a motion beside its path.
-void PlanPrinter::printNotes(const StepMotion& motion, const std::vector<Allowance>& allowances,
-                             const std::string& before) const {
-  const AssembledProduct& product = host_.product();
-  for (const std::string& text : words_.joints(motion, product, PlanOrder::Removal)) {
-    std::cout << before << text << "\n";
-  }
-  if (motion.tool.kind != ToolKind::None) {
-    printIndented(before, {GLISSADE_TEXT("tool: %1"), {words_.tool(motion, product)}});
-  }
-  for (const BodyId& id : motion.falling) {
-    printIndented(before, {GLISSADE_TEXT("support: %1"), {host_.nameOf(id)}});
-  }
-  for (const Allowance& allowance : allowances) {
-    printIndented(before, {GLISSADE_TEXT("allowance: %1"), {allowance.text}});
-  }
-}
-
-void PlanPrinter::printStuck(const std::vector<StuckBody>& all, const std::string& before) const {
-  for (const StuckBody& stuck : all) {
-    Message line{GLISSADE_TEXT("stuck: %1"), {host_.nameOf(stuck.body)}};
-    if (!stuck.blockedBy.empty()) {
-      line = {GLISSADE_TEXT("%1, blocked by %2"), {line, namesOf(stuck.blockedBy, ", ")}};
-    }
-    if (!stuck.reason.empty()) line = {GLISSADE_TEXT("%1: %2"), {line, stuck.reason}};
-    printIndented(before, line);
-  }
-}
-
-/// Prints the lines of groups. `before` indents them: "  " at first, more for groups in groups.
-void PlanPrinter::printLines(const std::vector<SubassemblyLine>& lines, std::size_t steps, const std::string& group,
-                             const std::string& before) const {
-  for (const SubassemblyLine& line : lines) {
-    const std::string number = stepNumber(steps - line.step, group);
-    printIndented(
-        before, {GLISSADE_TEXT("the group of step %1 is disassembled off %2:"), {number, namesOf(line.staying, " ")}});
-    printSteps(line.steps, number, before);
-    printStuck(line.stuck, before);
-    printLines(line.lines, line.steps.size(), number, before + "  ");
-  }
-}
-
-/// The number of screws in bodies that have no hole for them in the file.
-std::size_t screwHoles(const std::vector<AssemblyStep>& steps, const std::vector<SubassemblyLine>& lines) {
-  std::size_t holes = 0;
-  for (const AssemblyStep& step : steps) {
-    for (const StepMotion& motion : step.motions) {
-      holes += static_cast<std::size_t>(
-          std::count_if(motion.allowances.begin(), motion.allowances.end(),
-                        [](const Allowance& each) { return each.hollow && each.kind == ContactKind::Thread; }));
-    }
-  }
-  for (const SubassemblyLine& line : lines) holes += screwHoles(line.steps, line.lines);
-  return holes;
-}
-
-/// "12 of 13 parts leave in 10 steps, every motion certified", with the number of flexible parts without a proof.
-Message stepsInWords(const AssemblyPlan& plan) {
-  const Message steps{GLISSADE_TEXT("%1 of %2 {2|part|parts} removed in %3 {3|step|steps}"),
-                      {plan.removed(), plan.parts(), plan.steps.size()}};
-  if (plan.removed() == 0) return steps;
-  const std::size_t open = plan.removedWithoutProof();
-  if (open == 0) return {GLISSADE_TEXT("%1, every motion certified"), {steps}};
-  return {GLISSADE_TEXT("%1, every motion certified but those of %2 flexible {2|part|parts}"), {steps, open}};
-}
-
-void PlanPrinter::print(const AssemblyPlan& plan, double seconds) const {
-  for (const AcceptedClash& clash : acceptedClashesOf(plan)) {
-    console_.print({GLISSADE_TEXT("accepted clash: %1"), {inWords(clash, host_.product())}});
-  }
-  if (!plan.staying.empty()) console_.print({GLISSADE_TEXT("base: %1"), {words_.base(plan, host_.product())}});
-  printSteps(plan.steps, "", "");
-  printLines(plan.lines, plan.steps.size(), "", "  ");
-  printStuck(plan.stuck, "");
-  if (plan.parts() == 0) {
-    console_.print(
-        GLISSADE_TEXT("nothing can be removed: every body is fixed as base, or a joint holds it to the base. See "
-                      "'glissade-cli joints', and dissolve a joint in a scenario."));
-  }
-  const std::size_t apart = bodiesApart(plan);
-  if (apart < plan.removed()) {
-    console_.print(
-        {GLISSADE_TEXT("%1 of the removed parts are in groups that are not disassembled"), {plan.removed() - apart}});
-  }
-  console_.print({GLISSADE_TEXT("%1, computed in %2 s"), {stepsInWords(plan), rounded(seconds)}});
-  if (const std::size_t holes = screwHoles(plan.steps, plan.lines); holes > 0) {
-    console_.print(
-        {GLISSADE_TEXT("screws in bodies without a tapped hole in the file, each of which makes its own: %1"),
-         {holes}});
-  }
-}
-
 /// The exit codes of `check` for the plan.
 int exitCodeOf(const AssemblyPlan& plan, bool hasConditions, const MissingShapes& missing) {
   switch (plan.end) {
@@ -503,7 +335,7 @@ int deliver(const AssemblyPlan& plan, const ProductFile& loaded, const SequenceO
     for (const Message& each : conditions) report["conditions"].push_back(toString(each));
     printJson(report);
   } else {
-    PlanPrinter(host, options.console).print(plan, seconds);
+    printPlan(plan, host.product(), seconds, options.console);
     if (!loaded.missing.empty()) options.console.print(statementOf(loaded.missing));
     if (plainOverlaps > 0) options.console.print(check::plainOverlapsInWords(plainOverlaps));
     for (const Message& each : conditions) options.console.print({GLISSADE_TEXT("condition: %1"), {each}});

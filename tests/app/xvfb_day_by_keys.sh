@@ -100,7 +100,7 @@ keys ctrl+alt+m
 sleep 2
 look by-hand
 keys F5
-saved '"motions"'
+saved '"by hand"'
 sleep 1
 saved "$ended"
 look taken

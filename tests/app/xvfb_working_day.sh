@@ -89,7 +89,7 @@ report-path report.html
 report-path report.pdf
 export-sweep sweep.stl
 plan-sequence all
-expect-sequence steps 5
+expect-sequence steps 4
 show-step 2
 explode 1
 screenshot exploded.png
@@ -103,8 +103,8 @@ carry_out day.script
 cat >again.script <<END
 expect-kept-paths 1
 expect-kept-path @1 proved
-expect-sequence steps 5
-expect-sequence proved 5
+expect-sequence steps 4
+expect-sequence proved 4
 END
 carry_out again.script
 for file in compare.png section.png exploded.png report.html report.pdf sweep.stl instruction.pdf; do

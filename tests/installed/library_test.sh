@@ -55,5 +55,5 @@ if [ -d "$prefix/lib/python3" ]; then
   cp "$source/samples/python/take_apart.py" "$work/program"
   cd "$work"
   LD_LIBRARY_PATH=$libraries PYTHONPATH=$prefix/lib/python3/dist-packages /usr/bin/python3 program/take_apart.py |
-    tail -n 2 | grep -q '^valid: 9 of 9 steps' || { echo "the Python package took nothing apart"; exit 1; }
+    tail -n 2 | grep -q '^valid: 5 of 5 steps' || { echo "the Python package took nothing apart"; exit 1; }
 fi

@@ -137,7 +137,7 @@ Member dynamicDomain(const Problem& problem, const SamplerMaker& sampler) {
   constexpr std::uint64_t kLongDraws = 1'000;
   RrtConnect::Options options = twoTrees(problem);
   options.longDraws = headStart(problem) == 0 ? kLongDraws : 0;
-  return rrtConnect("dynamic-domain", {3.0, kLongFirstLife, kLongFirstLife, Restart::Luby, 0}, problem, options,
+  return rrtConnect("dynamic-domain", {4.5, kLongFirstLife, kLongFirstLife, Restart::Luby, 0}, problem, options,
                     uniform(problem), sampler);
 }
 

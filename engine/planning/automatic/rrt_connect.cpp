@@ -17,6 +17,9 @@ constexpr double kDomainChange = 0.05;
 constexpr double kGoalBias = 0.05;
 /// Factor of the range for the first draws, where Options::longDraws asks for it.
 constexpr double kLong = 10.0;
+/// Long draws go on while at least this share of their extensions is free; the share is asked from this number on.
+constexpr double kLeastFree = 0.1;
+constexpr std::uint64_t kLongTrials = 100;
 /// Share of the range by which each extension of a sliding connection has to come nearer.
 constexpr double kApproach = 0.2;
 
@@ -52,7 +55,7 @@ bool RrtConnect::solve(PlannerHost& host) {
 }
 
 void RrtConnect::iterate(PlannerHost& host) {
-  range_ = counts_.iterations < options_.longDraws ? kLong * options_.range : options_.range;
+  range_ = drawsLong() ? kLong * options_.range : options_.range;
   ++counts_.iterations;
   ++counts_.steps;
   ++counts_.randomConfigurations;
@@ -61,6 +64,11 @@ void RrtConnect::iterate(PlannerHost& host) {
   } else {
     growOne(host);
   }
+}
+
+bool RrtConnect::drawsLong() const {
+  if (counts_.iterations >= options_.longDraws) return false;
+  return longTried_ < kLongTrials || static_cast<double>(longFree_) >= kLeastFree * static_cast<double>(longTried_);
 }
 
 /// One tree grows towards a random configuration; the nearest other tree grows towards its new node.
@@ -102,6 +110,10 @@ std::optional<RrtConnect::Node> RrtConnect::grow(ComponentId component, const Po
   }
   const Extended extended = extend(near.index, q, host);
   const bool grew = extended.progress == Progress::Reached || extended.progress == Progress::Advanced;
+  if (range_ > options_.range) {
+    ++longTried_;
+    if (grew) ++longFree_;
+  }
   adapt(near.index, grew);
   if (extended.progress == Progress::Reached) return addChild(near.index, q);
   const bool slid = sliding_ && extended.progress == Progress::Blocked;

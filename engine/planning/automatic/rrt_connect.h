@@ -35,8 +35,10 @@ class RrtConnect final : public TreePlanner {
     /// while it moves little.
     double turnWeight = 1.0;
     Growth growth = Growth::Both;
-    std::uint64_t longDraws = 0;  ///< number of first draws with extensions ten times as long, for open space
-    bool slides = false;          ///< an extension that is blocked goes on in contact (SlidingExtension)
+    /// Number of first draws with extensions ten times as long, for open space. They end early where few extensions of
+    /// that length are free.
+    std::uint64_t longDraws = 0;
+    bool slides = false;  ///< an extension that is blocked goes on in contact (SlidingExtension)
   };
 
   RrtConnect(const Problem& problem, std::uint64_t seed, const Options& options,
@@ -63,6 +65,7 @@ class RrtConnect final : public TreePlanner {
   Extended slideOn(Node from, const Pose& q, double step, const StopToken& stop);
   void connect(ComponentId component, Node target, PlannerHost& host);
   ComponentId nearestOther(ComponentId grown, const Pose& q) const;
+  bool drawsLong() const;
   void adapt(Node node, bool grew);
   void deliverPath(PlannerHost& host);
   Box3& boxOf(TreeSide side) { return boxes_[side == TreeSide::Start ? 0 : 1]; }
@@ -71,7 +74,9 @@ class RrtConnect final : public TreePlanner {
   }
 
   Options options_;
-  double range_ = 0.0;  ///< present range of extensions
+  double range_ = 0.0;           ///< present range of extensions
+  std::uint64_t longTried_ = 0;  ///< extensions of long draws
+  std::uint64_t longFree_ = 0;   ///< those of them that no obstacle blocked
   std::unique_ptr<ConfigurationSampler> sampler_;
   Author author_ = Author::Computer;  ///< author of the configuration that the trees grow towards
   RandomStream goalStream_;
