@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/interrupt.h"
+#include "app/cli/plan_printer.h"
 #include "app/cli/text_cells.h"
 #include "engine/access/plan_access.h"
 #include "engine/documents/plan_tasks.h"
@@ -112,21 +113,16 @@ int accessOfPath(const AccessOptions& options, const StopToken& stop) {
   return accessExitCode(access->motion.isReachedAndSeen());
 }
 
-std::string namesOf(const StepMotion& motion, const AssembledProduct& product) {
-  std::string names;
-  for (const BodyId& id : motion.bodies()) names += (names.empty() ? "" : " + ") + product.body(id).shown();
-  return names;
-}
-
-/// Prints the steps of a line and of its groups. A step of several motions names the motion that decides. The steps of a group are numbered after the step that adds the group,
-/// as in the work instruction.
+/// Prints the steps of a line and of its groups. A step of several motions names the motion that decides. The steps of
+/// a group are numbered after the step that adds the group, as in the work instruction.
 void printLine(const LineAccess& access, const std::vector<AssemblyStep>& steps,
                const std::vector<SubassemblyLine>& lines, const std::string& group, const AssembledProduct& product,
                const Console& console) {
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const std::string number = toRight(stepNumber(steps.size() - 1 - i, group), 4);
     std::string name = number + "  " + nameOfStep(steps[i], product);
-    if (steps[i].motions.size() > 1) name += " (" + namesOf(steps[i].motions[access.steps[i].motion], product) + ")";
+    if (steps[i].motions.size() > 1)
+      name += " (" + namesOf(steps[i].motions[access.steps[i].motion].bodies(), product, " + ") + ")";
     console.print({GLISSADE_TEXT("%1: %2"), {name, accessInWords(access.steps[i], product.bodies)}});
   }
   for (std::size_t i = 0; i < lines.size(); ++i) {

@@ -421,13 +421,14 @@ int runSequence(const SequenceOptions& options) {
   } else {
     request.joints = &found->joints;
     if (const std::size_t left = found->fits.notCompared(); left > 0) {
-      reportWarnings({{ErrorKind::LimitReached,
-                       options.file,
-                       "--time-limit",
-                       {GLISSADE_TEXT("leaves %1 {1|pair|pairs} of bodies that are not compared, and whose bodies may stay"),
-                        {left}},
-                       GLISSADE_TEXT("Give more time.")}},
-                     options.console);
+      reportWarnings(
+          {{ErrorKind::LimitReached,
+            options.file,
+            "--time-limit",
+            {GLISSADE_TEXT("leaves %1 {1|pair|pairs} of bodies that are not compared, and whose bodies may stay"),
+             {left}},
+            GLISSADE_TEXT("Give more time.")}},
+          options.console);
     }
     reportWarnings(found->fits.warnings(), options.console);
     reportWarnings(warningsOf(findAlternatives(product.bodies, stop), product.bodies), options.console);

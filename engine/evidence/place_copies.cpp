@@ -13,7 +13,7 @@ namespace glissade::evidence {
 namespace {
 
 /// Least distance of two surfaces that are apart, metres.
-constexpr double kRounding = 1e-6;
+constexpr double kLeastApart = 1e-6;
 /// Largest difference of the volumes of copies, as a share.
 constexpr double kSameVolume = 0.01;
 /// Largest tolerance, as a share of the mean thickness (twice the volume for the area): two sheets that lie on each
@@ -26,7 +26,7 @@ double largestDeflectionOf(const Body& body) {
   return largest;
 }
 
-double areaOf(const TriangleTree& surface) {
+double surfaceAreaOf(const TriangleTree& surface) {
   double area = 0.0;
   for (const Triangle& t : surface.triangles()) area += 0.5 * (t[1] - t[0]).cross(t[2] - t[0]).norm();
   return area;
@@ -35,7 +35,7 @@ double areaOf(const TriangleTree& surface) {
 /// A placed body whose surface is closed.
 struct ClosedBody {
   ClosedBody(const TriangleMesh& mesh_W, double volume_)
-      : surface(mesh_W), volume(volume_), thickness(2.0 * volume / areaOf(surface)) {}
+      : surface(mesh_W), volume(volume_), thickness(2.0 * volume / surfaceAreaOf(surface)) {}
 
   TriangleTree surface;
   double volume;
@@ -79,7 +79,7 @@ class CopyFinder {
 
  private:
   bool areOnePlace(std::size_t one, std::size_t other) {
-    const double tolerance = deflections_[one] + deflections_[other] + kRounding;
+    const double tolerance = deflections_[one] + deflections_[other] + kLeastApart;
     const auto isNear = [&](const Vector3& a, const Vector3& b) { return (a - b).cwiseAbs().maxCoeff() <= tolerance; };
     if (!isNear(boxes_[one].min(), boxes_[other].min()) || !isNear(boxes_[one].max(), boxes_[other].max())) {
       return false;

@@ -35,8 +35,8 @@ constexpr double kExactFit = 3e-6;
 /// Holes of screws in plastic and wood are drawn wider than those of the standard.
 bool isDeepAsThread(const CommonThread& round, const LeavingPair& pair) {
   const bool isScrew = screwSizeIn(pair.nameOfMoving) || screwSizeIn(pair.nameOfOther);
-  const bool isDeep = hasDepthOfThread(round.radius, round.depth) ||
-                      (isScrew && round.depth > kLeastThreadDepth * round.radius);
+  const bool isDeep =
+      hasDepthOfThread(round.radius, round.depth) || (isScrew && round.depth > kLeastThreadDepth * round.radius);
   return isDeep && round.depth < kMostThreadDepth * round.radius && pair.overlap >= 0.5 * round.depth;
 }
 

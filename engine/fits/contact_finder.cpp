@@ -112,7 +112,8 @@ class PairExaminer {
     } else if (thickest_ > kTouching) {
       const double shaft = std::max(axis_->radiusA, axis_->radiusB);
       thickness_ = 2.0 * shaft;
-      setOverlap(evidence::hasDepthOfThread(shaft, thickest_) ? ContactKind::Thread : ContactKind::Press, thickest_, 0.0);
+      setOverlap(evidence::hasDepthOfThread(shaft, thickest_) ? ContactKind::Thread : ContactKind::Press, thickest_,
+                 0.0);
     } else if (coaxialTouch_ || planarTouch_) {
       set(coaxialTouch_ ? ContactKind::Cylindrical : ContactKind::Planar, 0.0, 0.0);
     } else if (tangentTouch_ || nested_.touches || meetsExactly_ ||

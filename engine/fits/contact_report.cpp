@@ -127,8 +127,9 @@ ContactReport findContacts(const std::vector<ContactBody>& bodies, const Contact
     report.contacts.back().a = pairs[i].first;
     report.contacts.back().b = pairs[i].second;
   }
-  std::sort(report.contacts.begin(), report.contacts.end(),
-            [](const Contact& one, const Contact& other) { return std::tie(one.a, one.b) < std::tie(other.a, other.b); });
+  std::sort(report.contacts.begin(), report.contacts.end(), [](const Contact& one, const Contact& other) {
+    return std::tie(one.a, one.b) < std::tie(other.a, other.b);
+  });
   return report;
 }
 

@@ -47,7 +47,7 @@ struct Contact {
 };
 
 struct ContactReport {
-  std::vector<Contact> contacts;  ///< ordered by a, then by b
+  std::vector<Contact> contacts;                                   ///< ordered by a, then by b
   std::vector<std::pair<std::size_t, std::size_t>> notCompared{};  ///< pairs left after `enough`
 };
 

@@ -238,7 +238,8 @@ class FitFinder {
       refuseCut(fit, cut);
       return;
     }
-    const Message accept{GLISSADE_TEXT("Accept it (--accept-clashes %1), or mend the parts."), {depthAsOption(overlap)}};
+    const Message accept{GLISSADE_TEXT("Accept it (--accept-clashes %1), or mend the parts."),
+                         {depthAsOption(overlap)}};
     const Message acceptAndName{
         GLISSADE_TEXT("Accept it and name the one that is cut (--accept-clashes %1 --cut \"%2\" or --cut \"%3\"), or "
                       "mend the parts."),

@@ -65,17 +65,17 @@ constexpr std::array kFirstWords{HintWord{"courroie", JointKind::Flexible}, Hint
 
 /// Words of purchased assemblies, at any place in a name.
 constexpr std::array<std::string_view, 25> kUnitWords{
-    "motor",  "servo",   "stepper", "nema",     "bearing",         "lager", "roulement",    "moteur",  "gearmotor",
-    "fan",    "sensor",  "switch",  "relay",    "camera",          "battery", "display",    "actuator", "encoder",
-    "pump",   "solenoid", "bldc",   "speaker",  "microcontroller", "vesc",  "potentiometer"};
+    "motor", "servo",    "stepper", "nema",    "bearing",         "lager",   "roulement",    "moteur",   "gearmotor",
+    "fan",   "sensor",   "switch",  "relay",   "camera",          "battery", "display",      "actuator", "encoder",
+    "pump",  "solenoid", "bldc",    "speaker", "microcontroller", "vesc",    "potentiometer"};
 
 /// Words of populated circuit boards.
 constexpr std::array<std::string_view, 7> kBoardWords{"pcb",          "pcba",    "board",    "platine",
                                                       "leiterplatte", "arduino", "raspberry"};
 
 /// Suppliers of units. Their name with a number of the article is that of a unit.
-constexpr std::array<std::string_view, 14> kSuppliers{"schunk",    "festo",  "smc",     "zimmer", "igus",
-                                                      "maxon",     "hiwin",  "nanotec", "robotis", "dynamixel",
+constexpr std::array<std::string_view, 14> kSuppliers{"schunk",    "festo",   "smc",     "zimmer",     "igus",
+                                                      "maxon",     "hiwin",   "nanotec", "robotis",    "dynamixel",
                                                       "faulhaber", "rexroth", "norgren", "wittenstein"};
 
 /// Words that name no part.
@@ -213,11 +213,10 @@ class SuggestedJointFinder {
       const auto own = tree.find(shapes_.body(body).id.text());
       if (!own) continue;
       const std::vector<std::size_t> above = tree.assembliesAbove(*own);
-      const auto unit = std::find_if(above.begin(), above.end(),
-                                     [&](std::size_t node) {
-                                       const std::string& name = tree.nodes()[node].names.product;
-                                       return isUnitName(name) || isArticleName(name);
-                                     });
+      const auto unit = std::find_if(above.begin(), above.end(), [&](std::size_t node) {
+        const std::string& name = tree.nodes()[node].names.product;
+        return isUnitName(name) || isArticleName(name);
+      });
       if (unit != above.end()) units[*unit].push_back(body);
     }
     for (const auto& [node, bodies] : units) {
@@ -232,7 +231,8 @@ class SuggestedJointFinder {
       joint.others.assign(bodies.begin() + 1, bodies.end());
       joint.point = shapes_.box(joint.body).center();
       joint.evidence.push_back({kAssemblyName, {name}});
-      if (isArticleName(name)) joint.evidence.emplace_back(GLISSADE_TEXT("it is a purchased unit with the number of its article"));
+      if (isArticleName(name))
+        joint.evidence.emplace_back(GLISSADE_TEXT("it is a purchased unit with the number of its article"));
       for (const std::size_t body : bodies) isTaken_[body] = true;
       joints.push_back(std::move(joint));
     }

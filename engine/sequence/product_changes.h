@@ -48,7 +48,8 @@ struct CarriedPlan {
 };
 
 /// Carries the plan over to a product: motions of bodies that are gone are left out, steps without another motion, too,
-/// and what others say about such bodies. Parts that came have no step. Paths are lengthened where they end inside of the later revision.
+/// and what others say about such bodies. Parts that came have no step. Paths are lengthened where they end inside of
+/// the later revision.
 CarriedPlan carriedTo(const AssembledProduct& product, const AssemblyPlan& plan);
 
 }  // namespace glissade

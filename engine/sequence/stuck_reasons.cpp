@@ -251,9 +251,10 @@ Message StuckReasons::ofRefusedClash(std::size_t body, const Fit& clash) const {
                       "one that is cut (--cut \"%3\" or --cut \"%1\")"),
         {other, depth, name(body)}};
   }
-  return {GLISSADE_TEXT("it and '%1' clash where they are assembled (%2), and neither can be cut and stay in one piece: "
-                        "mend the parts"),
-          {other, depth}};
+  return {
+      GLISSADE_TEXT("it and '%1' clash where they are assembled (%2), and neither can be cut and stay in one piece: "
+                    "mend the parts"),
+      {other, depth}};
 }
 
 /// Names the body that could be cut for an accepted clash of the unit; empty if there is none.

@@ -537,8 +537,7 @@ TEST(JointFinder, ACircuitBoardAndWhatIsOnItAreAUnit) {
         .add(assembly + "/base station", makeBox({0.08, 0.05, thickness}))
         .add(assembly + "/header/pins", makeBox({0.02, 0.002, 0.01}), Pose::translation({0.01, 0.0, 0.002}))
         .add(assembly + "/header/socket", makeBox({0.02, 0.004, 0.004}), Pose::translation({0.01, 0.0, 0.006}))
-        .add(assembly + "/jack", makeBox({0.01, 0.01, 0.01}),
-             Pose::translation({-0.02, 0.0, 0.5 * thickness + 0.005}))
+        .add(assembly + "/jack", makeBox({0.01, 0.01, 0.01}), Pose::translation({-0.02, 0.0, 0.5 * thickness + 0.005}))
         .add(assembly + "/aerial", makeBox({0.01, 0.01, 0.05}), Pose::translation({-0.02, 0.04, 0.04}));
     return unitsOf(parts.product());
   };

@@ -55,11 +55,10 @@ TEST(StuckReasons, APairThatTheTimeLimitLeftIsNamed) {
 
 /// A rod through a plate of which nothing is left beside the rod: the rod would fall apart, and the plate, too.
 TEST(StuckReasons, AClashThatCannotBeCutIsNotAdvisedToBeAccepted) {
-  const AssembledProduct product =
-      test::productOf({boxBody("base", {0.1, 0.01, 0.01}, Pose::identity()),
-                       boxBody("across", {0.01, 0.1, 0.01}, Pose::identity()),
-                       boxBody("beside", {0.1, 0.1, 0.1}, Pose::translation({0.3, 0.0, 0.0}))},
-                      true);
+  const AssembledProduct product = test::productOf(
+      {boxBody("base", {0.1, 0.01, 0.01}, Pose::identity()), boxBody("across", {0.01, 0.1, 0.01}, Pose::identity()),
+       boxBody("beside", {0.1, 0.1, 0.1}, Pose::translation({0.3, 0.0, 0.0}))},
+      true);
   const AssemblyPlan plan = plainPlanOf(product);
   ASSERT_EQ(plan.stuck.size(), 1U);
   EXPECT_THAT(toString(plan.stuck[0].reason), HasSubstr("neither can be cut and stay in one piece: mend the parts"));
