@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/interrupt.h"
+#include "app/cli/plan_printer.h"
 #include "app/cli/text_cells.h"
 #include "engine/access/plan_access.h"
 #include "engine/documents/plan_tasks.h"
@@ -112,15 +113,17 @@ int accessOfPath(const AccessOptions& options, const StopToken& stop) {
   return accessExitCode(access->motion.isReachedAndSeen());
 }
 
-/// Prints the steps of a line and of its groups. The steps of a group are numbered after the step that adds the group,
-/// as in the work instruction.
+/// Prints the steps of a line and of its groups. A step of several motions names the motion that decides. The steps of
+/// a group are numbered after the step that adds the group, as in the work instruction.
 void printLine(const LineAccess& access, const std::vector<AssemblyStep>& steps,
                const std::vector<SubassemblyLine>& lines, const std::string& group, const AssembledProduct& product,
                const Console& console) {
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const std::string number = toRight(stepNumber(steps.size() - 1 - i, group), 4);
-    console.print({GLISSADE_TEXT("%1: %2"),
-                   {number + "  " + nameOfStep(steps[i], product), accessInWords(access.steps[i], product.bodies)}});
+    std::string name = number + "  " + nameOfStep(steps[i], product);
+    if (steps[i].motions.size() > 1)
+      name += " (" + namesOf(steps[i].motions[access.steps[i].motion].bodies(), product, " + ") + ")";
+    console.print({GLISSADE_TEXT("%1: %2"), {name, accessInWords(access.steps[i], product.bodies)}});
   }
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string number = stepNumber(steps.size() - lines[i].step, group);
@@ -141,7 +144,9 @@ Json stepsJson(const LineAccess& access, const std::vector<AssemblyStep>& steps,
   for (std::size_t i = 0; i < steps.size(); ++i) {
     json.push_back({{"bodies", steps[i].bodies()}});
     json.back().update(toJson(access.steps[i], product.bodies));
-    if (steps[i].motions.size() > 1) json.back()["motion"] = access.steps[i].motion + 1;
+    if (steps[i].motions.size() == 1) continue;
+    json.back()["motion"] = access.steps[i].motion + 1;
+    json.back()["motion_bodies"] = steps[i].motions[access.steps[i].motion].bodies();
   }
   return json;
 }

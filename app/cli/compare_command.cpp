@@ -42,6 +42,7 @@ void addPlan(const ComparedPlan& plan, Json& json) {
   json["steps"] = Json::array();
   for (const ComparedStep& step : plan.steps) {
     json["steps"].push_back({{"number", step.number}, {"bodies", step.bodies}, {"holds", step.holds}});
+    if (!step.gone.empty()) json["steps"].back()["gone"] = step.gone;
     if (!step.holds) json["steps"].back()["reason"] = toString(step.why);
   }
   json["without_step"] = plan.withoutStep;

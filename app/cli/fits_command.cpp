@@ -45,6 +45,8 @@ Json toJson(const PairFit& row) {
   const Contact& contact = row.contact;
   Json json{{"a", row.a},
             {"b", row.b},
+            {"a_name", row.shown[0]},
+            {"b_name", row.shown[1]},
             {"kind", kContactKindNames.of(contact.kind)},
             {"gap_m", contact.gap},
             {"overlap_m", contact.overlap},

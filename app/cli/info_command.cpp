@@ -67,7 +67,7 @@ std::size_t trianglesOf(const std::vector<RigidBody>& bodies) {
 Json toJson(const RigidBody& body, const Uncertainty& uncertainty, MeshAudits& audits) {
   const MeshAudit& result = audits.of(body.mesh);
   return {{"id", body.id},
-          {"name", body.name},
+          {"name", body.shown()},
           {"mobility", kMobilityNames.of(body.mobility)},
           {"triangles", result.triangles},
           {"closed", result.closed()},

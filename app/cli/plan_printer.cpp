@@ -8,6 +8,7 @@
 #include "engine/base/quantity_text.h"
 #include "engine/documents/plan_tasks.h"
 #include "engine/documents/plan_words.h"
+#include "engine/sequence/accepted_clashes.h"
 #include "engine/sequence/plan_bodies.h"
 #include "engine/sequence/subassembly_lines.h"
 
@@ -140,6 +141,9 @@ Message stepsInWords(const AssemblyPlan& plan) {
 }
 
 void PlanPrinter::print(const AssemblyPlan& plan, double seconds) const {
+  for (const AcceptedClash& clash : acceptedClashesOf(plan)) {
+    console_.print({GLISSADE_TEXT("accepted clash: %1"), {inWords(clash, product_)}});
+  }
   if (!plan.staying.empty()) console_.print({GLISSADE_TEXT("base: %1"), {words_.base(plan, product_)}});
   printSteps(plan.steps, "", "");
   printLines(plan.lines, plan.steps.size(), "", "  ");

@@ -346,15 +346,13 @@ int deliver(const AssemblyPlan& plan, const ProductFile& loaded, const SequenceO
   return exitCodeOf(plan, !conditions.empty(), loaded.missing);
 }
 
-/// Prints each pair whose clash is accepted, with its depth.
-void printAcceptedClashes(const ProductFits& fits, const AssembledProduct& product, const Console& console) {
-  if (console.json) return;
-  for (const Contact& contact : fits.contacts()) {
-    const Fit* clash = fits.acceptedClashOf(contact.a, contact.b);
-    if (clash == nullptr) continue;
-    console.print({GLISSADE_TEXT("accepted clash: '%1' and '%2', %3"),
-                   {product.bodies[contact.a].shown(), product.bodies[contact.b].shown(), Depth{clash->overlap}}});
-  }
+/// Most of a limited time is for fits; motions are searched in the rest, also where pairs are left.
+std::optional<FitDeadlines> fitDeadlines(const StopToken& stop, const SequenceOptions& options) {
+  constexpr double kContacts = 0.35;
+  constexpr double kPairs = 0.6;
+  if (options.timeLimit <= 0.0) return std::nullopt;
+  return FitDeadlines{withTimeLimit(stop, kContacts * options.timeLimit),
+                      withTimeLimit(stop, kPairs * options.timeLimit)};
 }
 
 }  // namespace
@@ -398,7 +396,8 @@ int runSequence(const SequenceOptions& options) {
   FitProgress progress(notes);
   const WorkWatch watch(stop, [&](double share) { progress.show(share); });
   ProductFinder finder(usersFitsCache(versionText()));
-  const auto found = finder.findings(product, loaded->classes, *demands, team, watch);
+  const auto found =
+      finder.findings(product, loaded->classes, *demands, team, watch, fitDeadlines(interrupt.token(), options));
   const bool outOfTime = !found && found.error().kind == ErrorKind::Interrupted && !interrupt.requested();
   if (!found && !outOfTime) return reportError(found.error(), options.console);
   reportWarnings(loaded->warnings, options.console);
@@ -421,15 +420,25 @@ int runSequence(const SequenceOptions& options) {
                    options.console);
   } else {
     request.joints = &found->joints;
+    if (const std::size_t left = found->fits.notCompared(); left > 0) {
+      reportWarnings(
+          {{ErrorKind::LimitReached,
+            options.file,
+            "--time-limit",
+            {GLISSADE_TEXT("leaves %1 {1|pair|pairs} of bodies that are not compared, and whose bodies may stay"),
+             {left}},
+            GLISSADE_TEXT("Give more time.")}},
+          options.console);
+    }
     reportWarnings(found->fits.warnings(), options.console);
-    if (options.fits.acceptedClash == kAdvisedClashes) printAcceptedClashes(found->fits, product, options.console);
     reportWarnings(warningsOf(findAlternatives(product.bodies, stop), product.bodies), options.console);
     if (!options.out.empty()) host.keepIn(options, deflection);
   }
   auto planned = outOfTime ? planWithout(product, request) : planSequence(product, found->fits, request, host);
   if (!planned) return reportError(ofOptions(planned.error(), options), options.console);
   AssemblyPlan& plan = *planned;
-  if (plan.end == PlanEnd::Interrupted && !interrupt.requested()) plan.end = PlanEnd::TimeLimit;
+  const bool isShort = plan.end == PlanEnd::Stuck && found && found->fits.notCompared() > 0;
+  if (isShort || (plan.end == PlanEnd::Interrupted && !interrupt.requested())) plan.end = PlanEnd::TimeLimit;
   plan.deflection = deflection;
   std::size_t plainOverlaps = 0;
   if (found) {

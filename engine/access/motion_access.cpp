@@ -159,7 +159,7 @@ AccessChecker::AccessChecker(const std::vector<RigidBody>& bodies, const Person&
 /// The tool stays on the head, and its handle is swung before the motion begins. At a bolt whose nut is held it swings
 /// only: the bolt stays.
 std::optional<AccessChecker::Grip> AccessChecker::toolGripOf(const ReachedMotion& motion, const Vector3& leaving) {
-  if (motion.tool == ToolKind::None) return std::nullopt;
+  if (!turnsHead(motion.tool)) return std::nullopt;
   const RigidBody& fastener = bodies_.bodies()[motion.bolt.value_or(motion.bodies.front())];
   const auto head = headOf(*fastener.mesh);
   if (!head) return std::nullopt;

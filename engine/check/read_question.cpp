@@ -8,6 +8,7 @@
 #include "engine/base/limits.h"
 #include "engine/check/scenario_json.h"
 #include "engine/check/stated_object.h"
+#include "engine/evidence/place_copies.h"
 #include "engine/geometry/mesh_edges.h"
 #include "engine/import/geometry_loader.h"
 #include "engine/import/json_checksum.h"
@@ -46,6 +47,20 @@ void shorten(Product& product) {
   for (const Body& body : product.bodies) ids.push_back(body.id.text());
   const std::vector<std::string> shown = product.tree.labels(ids);
   for (std::size_t i = 0; i < product.bodies.size(); ++i) product.bodies[i].name = shown[i];
+}
+
+/// Removes these bodies, and the statements about their fits.
+void remove(const std::vector<bool>& going, Product& product) {
+  std::vector<Body> rest;
+  for (std::size_t i = 0; i < going.size(); ++i) {
+    const Body& body = product.bodies[i];
+    if (!going[i]) {
+      rest.push_back(body);
+      continue;
+    }
+    std::erase_if(product.fits.pairs, [&](const PairWord& word) { return word.a == body.id || word.b == body.id; });
+  }
+  product.bodies = std::move(rest);
 }
 
 /// Warns that the inside of a body with an open surface is not detected.
@@ -217,6 +232,9 @@ Result<Product> productOfParts(const std::string& text, double deflection, const
   }
   product.fits.on = true;
   shorten(product);
+  const auto places = placeCopiesIn(product.bodies, choice.planBodies, stop);
+  for (Diagnostic& warning : warningsOf(places, product.bodies)) product.warnings.push_back(std::move(warning));
+  remove(areCopies(places, product.bodies.size()), product);
   return product;
 }
 
@@ -370,20 +388,15 @@ Outcome leaveOut(const std::vector<std::string>& names, Product& product) {
   for (const Body& body : product.bodies) ids.push_back(body.id);
   const auto meant = bodiesMeant(ids, names, "--without", product.tree);
   if (!meant) return meant.error();
-  std::vector<Body> rest;
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    if (!(*meant)[i]) {
-      rest.push_back(product.bodies[i]);
-      continue;
-    }
+    if (!(*meant)[i]) continue;
     product.warnings.push_back({ErrorKind::MalformedInput,
                                 "",
                                 {GLISSADE_TEXT("'%1'"), {product.bodies[i].name}},
                                 GLISSADE_TEXT("is excluded"),
                                 GLISSADE_TEXT("Certificates are about the product without it.")});
-    std::erase_if(product.fits.pairs, [&](const PairWord& word) { return word.a == ids[i] || word.b == ids[i]; });
   }
-  product.bodies = std::move(rest);
+  remove(*meant, product);
   return Done{};
 }
 

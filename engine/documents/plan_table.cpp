@@ -6,6 +6,7 @@
 #include "engine/base/csv_table.h"
 #include "engine/base/quantity_text.h"
 #include "engine/documents/plan_words.h"
+#include "engine/sequence/accepted_clashes.h"
 #include "engine/sequence/plan_bodies.h"
 #include "engine/sequence/step_motion.h"
 
@@ -67,6 +68,11 @@ void addStep(CsvTable& table, const std::vector<AssemblyStep>& steps, std::size_
     table.text(words.tool(*motion, product));
     table.text(words.standing(step, product));
     table.text(forced);
+    std::string clashes;
+    for (const AcceptedClash& clash : acceptedClashesOf(*motion)) {
+      clashes += (clashes.empty() ? "" : "; ") + toString(inWords(clash, product));
+    }
+    table.text(clashes);
   }
 }
 
@@ -81,7 +87,7 @@ void addStuck(CsvTable& table, const StuckBody& stuck, const FullNames& nameOf) 
   table.text("");
   for (int column = 0; column < 2; ++column) table.number(std::nullopt);
   table.text(blockers);
-  for (int column = 0; column < 3; ++column) table.text("");
+  for (int column = 0; column < 4; ++column) table.text("");
 }
 
 }  // namespace
@@ -89,7 +95,8 @@ void addStuck(CsvTable& table, const StuckBody& stuck, const FullNames& nameOf) 
 std::string planAsCsv(const AssemblyPlan& plan, const AssembledProduct& product, PlanOrder order) {
   CsvTable table;
   table.header({"step", "part", "method", "motion", "length_m", "turn_rad", "proved_clearance_m", "min_clearance_m",
-                "nearest", "allowance_m", "wave", "blocked_by", "tool", "standing", "forced_although"});
+                "nearest", "allowance_m", "wave", "blocked_by", "tool", "standing", "forced_although",
+                "accepted_clashes"});
   const FullNames nameOf(product);
   const std::size_t steps = plan.steps.size();
   for (std::size_t i = 0; i < steps; ++i) {

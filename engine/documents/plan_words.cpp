@@ -94,9 +94,12 @@ std::string PlanWords::someOf(const std::vector<BodyId>& ids, const AssembledPro
 }
 
 std::string PlanWords::nameOf(ToolKind kind) const {
-  static constexpr std::array<CatalogueText, 5> kTools{CatalogueText{""}, GLISSADE_TEXT("hex key"),
-                                                       GLISSADE_TEXT("socket"), GLISSADE_TEXT("screwdriver"),
-                                                       GLISSADE_TEXT("open wrench")};
+  static constexpr std::array<CatalogueText, 6> kTools{CatalogueText{""},
+                                                       GLISSADE_TEXT("hex key"),
+                                                       GLISSADE_TEXT("socket"),
+                                                       GLISSADE_TEXT("screwdriver"),
+                                                       GLISSADE_TEXT("open wrench"),
+                                                       GLISSADE_TEXT("circlip pliers")};
   return kind == ToolKind::None ? std::string() : words_(kTools[static_cast<std::size_t>(kind)]);
 }
 

@@ -32,9 +32,12 @@ constexpr double kLargestInsert = 8e-3;
 constexpr double kMostInsertExcess = 1.5e-3;
 constexpr double kExactFit = 3e-6;
 
-bool isDeepAsThread(const CommonThread& pair, double overlap) {
-  const bool isDeep = pair.depth > kLeastThreadDepth * pair.radius || isCoreOfThread(pair.radius, pair.depth);
-  return isDeep && pair.depth < kMostThreadDepth * pair.radius && overlap >= 0.5 * pair.depth;
+/// Holes of screws in plastic and wood are drawn wider than those of the standard.
+bool isDeepAsThread(const CommonThread& round, const LeavingPair& pair) {
+  const bool isScrew = screwSizeIn(pair.nameOfMoving) || screwSizeIn(pair.nameOfOther);
+  const bool isDeep =
+      hasDepthOfThread(round.radius, round.depth) || (isScrew && round.depth > kLeastThreadDepth * round.radius);
+  return isDeep && round.depth < kMostThreadDepth * round.radius && pair.overlap >= 0.5 * round.depth;
 }
 
 bool isEngagedAfter(const CommonThread& thread, double advance) {
@@ -161,6 +164,12 @@ bool isCoreOfThread(double radius, double depth) {
   return isCoarsePitch(2.0 * radius, pitch) || isCoreByStandard(pitch, depth);
 }
 
+bool hasDepthOfThread(double radius, double depth) {
+  constexpr double kLeastPitches = 0.3;
+  return (depth > kLeastThreadDepth * radius && depth >= kLeastPitches * usualThreadSize(2.0 * radius).pitch) ||
+         isCoreOfThread(radius, depth);
+}
+
 RoundOverlap roundOverlap(const PlacedBody& one, const PlacedBody& other) {
   RoundOverlap most;
   for (const RoundFace& own : one.rounds) {
@@ -188,7 +197,7 @@ std::vector<CommonThread> commonThreads(const LeavingPair& pair, const StopToken
     for (const RoundFace& other : pair.other.rounds) {
       const auto round = aroundEachOther(own, other);
       if (!round) continue;
-      if (isDeepAsThread(*round, pair.overlap)) threads.push_back(*round);
+      if (isDeepAsThread(*round, pair)) threads.push_back(*round);
       if (!closest || std::abs(round->depth) < std::abs(closest->depth)) closest = round;
     }
   }
@@ -210,8 +219,8 @@ bool isPressedIn(const PlacedBody& one, const PlacedBody& other) {
   for (const RoundFace& own : one.rounds) {
     for (const RoundFace& hole : other.rounds) {
       const auto pair = aroundEachOther(own, hole);
-      const bool isTight = pair && pair->depth > kLeastPressed && pair->depth <= kLeastThreadDepth * pair->radius;
-      if (isTight && !isCoreOfThread(pair->radius, pair->depth)) return true;
+      const bool isTight = pair && pair->depth > kLeastPressed && pair->depth < kMostThreadDepth * pair->radius;
+      if (isTight && !hasDepthOfThread(pair->radius, pair->depth)) return true;
     }
   }
   return false;

@@ -37,9 +37,8 @@ struct CommonThread {
   double pitch = 0.0;  ///< metres a turn, of a helix that is modelled; below 0: left-handed; 0: none is
 };
 
-/// Limits in radii of the shaft. A shaft that exceeds its hole by more than the first is neither pressed nor slid in.
-/// Threads are deeper: those of ISO 261 by 0.06 radii or more, and none by 0.3. The bodies overlap by at least half of
-/// that depth, or one cylinder is around the material of the other body.
+/// Limits in radii of the shaft. The threads of ISO 261 are deeper than the first, and none is deeper than the second.
+/// The bodies overlap by at least half of that depth, or one cylinder is around the material of the other body.
 inline constexpr double kLeastThreadDepth = 0.05;
 inline constexpr double kMostThreadDepth = 0.3;
 
@@ -48,6 +47,11 @@ inline constexpr double kMostThreadDepth = 0.3;
 /// more than a third of a millimetre. An overlap that is as deep as a clash has a coarse pitch, or a fine one with
 /// the depth of the standard: the fine pitches of a large diameter together suit almost every depth.
 bool isCoreOfThread(double radius, double depth);
+
+/// True if a shaft is thicker than its hole by what a thread is deep: by 0.3 coarse pitches or more, since a hole is
+/// drawn as the core of the thread (0.54 pitches by ISO 68-1), as its tap drill (0.5) or with its pitch diameter
+/// (0.32), or as isCoreOfThread() says. A shaft that is less thick is pressed in, or is a spline. Metres.
+bool hasDepthOfThread(double radius, double depth);
 
 /// The threads that the pair has in common, which come apart by turning: a shaft of the one in a hole of the other,
 /// with all of the hole's wall in the shaft; crests of a modelled helix that go into the wall of the other one; and

@@ -8,6 +8,7 @@
 #include "engine/check/plan_verdict.h"
 #include "engine/check/verdict_report.h"
 #include "engine/files/judged_product.h"
+#include "engine/sequence/plan_bodies.h"
 
 namespace glissade {
 namespace {
@@ -70,6 +71,7 @@ ComparedPlan comparePlan(const AssemblyPlan& plan, const AssembledProduct& befor
     for (const BodyId& id : plan.steps[i].bodies()) {
       const auto body = before.find(id);
       step.bodies.push_back(body ? before.bodies[*body].shown() : id.text());
+      if (!product.find(id)) step.gone.push_back(step.bodies.back());
     }
     const auto kept = std::find(carried.from.begin(), carried.from.end(), i);
     if (kept == carried.from.end()) {
@@ -78,7 +80,7 @@ ComparedPlan comparePlan(const AssemblyPlan& plan, const AssembledProduct& befor
       const auto number = static_cast<std::size_t>(kept - carried.from.begin()) + 1;
       step.holds = verdict.isValid(number);
       step.why = check::whyInvalid(verdict, number, judged);
-      for (const std::size_t body : product.indicesOf(plan.steps[i].bodies())) hasStep[body] = true;
+      for (const std::size_t body : bodiesOf(carried.plan.steps[number - 1], product)) hasStep[body] = true;
     }
     compared.steps.push_back(std::move(step));
   }
@@ -108,10 +110,16 @@ std::vector<Message> inWords(const ProductChanges& changes, const AssembledProdu
 
 std::vector<Message> inWords(const ComparedPlan& plan) {
   std::vector<Message> lines;
+  const auto listed = [](const std::vector<std::string>& names) {
+    std::string list;
+    for (const std::string& name : names) list += (list.empty() ? "" : " + ") + name;
+    return list;
+  };
   for (const ComparedStep& step : plan.steps) {
+    const std::string names = listed(step.bodies);
+    if (step.holds && !step.gone.empty())
+      lines.push_back({GLISSADE_TEXT("step %1 (%2) holds without %3"), {step.number, names, listed(step.gone)}});
     if (step.holds) continue;
-    std::string names;
-    for (const std::string& name : step.bodies) names += (names.empty() ? "" : " + ") + name;
     lines.push_back({GLISSADE_TEXT("step %1 (%2) does not hold: %3"), {step.number, names, step.why}});
   }
   for (const std::string& name : plan.withoutStep) lines.push_back({GLISSADE_TEXT("no step: %1"), {name}});

@@ -12,8 +12,9 @@ namespace glissade {
 struct ComparedStep {
   std::string number;                 ///< number in the order of assembly, in the earlier plan
   std::vector<std::string> bodies{};  ///< names
-  bool holds = false;
-  Message why{};  ///< the reason why it does not hold
+  std::vector<std::string> gone{};    ///< names of those bodies that the later revision lacks
+  bool holds = false;                 ///< what is left of it does
+  Message why{};                      ///< the reason why it does not hold
 };
 
 /// An earlier plan in a later revision of the product.

@@ -17,6 +17,7 @@
 #include "engine/geometry/pose_json.h"
 #include "engine/import/json_checksum.h"
 #include "engine/model/body_id_json.h"
+#include "engine/sequence/accepted_clashes.h"
 #include "engine/sequence/subassembly_lines.h"
 
 namespace glissade {
@@ -113,6 +114,10 @@ constexpr Accessor kBodies{[](const StepMotion& motion) { return motion.bodies()
                              motion.body = ids.front();
                              motion.with.assign(ids.begin() + 1, ids.end());
                            }};
+
+/// Follows from the allowances of the motions.
+constexpr Accessor kAcceptedClashes{[](const AssemblyPlan& plan) { return acceptedClashesOf(plan); },
+                                    [](AssemblyPlan& /*plan*/, const std::vector<AcceptedClash>& /*read*/) {}};
 
 bool isThreaded(const StepJoint& joint) { return joint.pitch != 0.0; }
 
@@ -319,6 +324,16 @@ void describe(Archive& refusal, Type<RefusedRemoval> /*type*/) {
 }
 
 template <class Archive>
+void describe(Archive& clash, Type<AcceptedClash> /*type*/) {
+  clash.type("accepted_clash", "A pair that overlaps and leaves, because a person accepts its clash.");
+  clash.required("a", &AcceptedClash::a, kBodyId);
+  clash.required("b", &AcceptedClash::b, kBodyId);
+  clash.required("depth_m", &AcceptedClash::depth, kLengthOrZero);
+  clash.required("cut", &AcceptedClash::cut, kIdOrNull,
+                 "The body that is taken without what overlaps. Null: both are taken thinner.");
+}
+
+template <class Archive>
 void describe(Archive& plan, Type<AssemblyPlan> /*type*/) {
   plan.type("plan");
   plan.required("strategy", &AssemblyPlan::strategy, kNonEmptyText);
@@ -352,6 +367,8 @@ void describe(Archive& plan, Type<AssemblyPlan> /*type*/) {
   plan.optional("isolated", &AssemblyPlan::isolated, kIds,
                 "Bodies that neither touch another body nor are joined to one: they may lie beside the product. "
                 "Absent: none.");
+  plan.optional("accepted_clashes", kAcceptedClashes, kObjects<AcceptedClash>,
+                "The accepted clashes that the motions need. They follow from the allowances. Absent: none.");
 }
 
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "engine/evidence/place_copies.h"
 #include "engine/files/part_files.h"
 #include "engine/files/scenario_fits.h"
 #include "engine/files/scenario_io.h"
@@ -22,6 +23,44 @@ double largestTwo(std::vector<double> values) {
   values.resize(std::max<std::size_t>(values.size(), 2), 0.0);
   std::partial_sort(values.begin(), values.begin() + 2, values.end(), std::greater<>());
   return values[0] + values[1];
+}
+
+/// Removes these bodies, and the statements about their fits and joints.
+void remove(const std::vector<bool>& going, ProductFile& loaded) {
+  AssembledProduct& product = loaded.product;
+  AssembledProduct rest;
+  std::vector<std::string> classes;
+  rest.fits = product.fits;
+  rest.tree = product.tree;
+  const auto goes = [&](const BodyId& id) {
+    const auto index = product.find(id);
+    return index && going[*index];
+  };
+  std::erase_if(rest.fits.pairs, [&](const FitEdit& edit) { return goes(edit.a) || goes(edit.b); });
+  std::erase_if(loaded.joints, [&](const JointEdit& edit) {
+    return goes(edit.key.body) || std::any_of(edit.key.others.begin(), edit.key.others.end(), goes);
+  });
+  for (JointEdit& edit : loaded.joints) std::erase_if(edit.clamped, goes);
+  for (std::size_t i = 0; i < going.size(); ++i) {
+    if (going[i]) continue;
+    rest.bodies.push_back(product.bodies[i]);
+    rest.deflections.push_back(product.deflections[i]);
+    if (!product.spacings.empty()) rest.spacings.push_back(product.spacings[i]);
+    if (!loaded.classes.empty()) classes.push_back(loaded.classes[i]);
+  }
+  labelBodies(rest.bodies, rest.tree);
+  product = std::move(rest);
+  loaded.classes = std::move(classes);
+}
+
+/// Takes copies in one place as one body, unless a plan names them.
+void takeCopiesAsOne(const std::vector<BodyId>& planBodies, const StopToken& stop, ProductFile& loaded) {
+  std::vector<evidence::Body> bodies;
+  for (std::size_t i = 0; i < loaded.product.bodies.size(); ++i) bodies.push_back(loaded.product.measured(i));
+  const auto places = evidence::placeCopiesIn(bodies, planBodies, stop);
+  if (places.empty()) return;
+  for (Diagnostic& warning : evidence::warningsOf(places, bodies)) loaded.warnings.push_back(std::move(warning));
+  remove(evidence::areCopies(places, bodies.size()), loaded);
 }
 
 Result<ProductFile> productOfParts(const std::string& file, const StopToken& stop, double deflection,
@@ -62,6 +101,7 @@ Result<ProductFile> productOfParts(const std::string& file, const StopToken& sto
   labelBodies(loaded.product.bodies, loaded.product.tree);
   nameByLabels(loaded.warnings, loaded.product.bodies);
   loaded.product.fits.on = true;
+  takeCopiesAsOne(choice.planBodies, stop, loaded);
   loaded.deviation = largestTwo(loaded.product.deflections);
   return loaded;
 }
@@ -122,35 +162,13 @@ Diagnostic isLeftOut(const std::string& name) {
 
 Outcome leaveOut(const std::vector<std::string>& names, ProductFile& loaded) {
   if (names.empty()) return Done{};
-  AssembledProduct& product = loaded.product;
-  const auto meant = bodiesMeant(idsOf(product.bodies), names, "--without", product.tree);
+  const std::vector<RigidBody>& bodies = loaded.product.bodies;
+  const auto meant = bodiesMeant(idsOf(bodies), names, "--without", loaded.product.tree);
   if (!meant) return meant.error();
-  AssembledProduct rest;
-  std::vector<std::string> classes;
-  rest.fits = product.fits;
-  rest.tree = product.tree;
-  const auto goes = [&](const BodyId& id) {
-    const auto index = product.find(id);
-    return index && (*meant)[*index];
-  };
-  std::erase_if(rest.fits.pairs, [&](const FitEdit& edit) { return goes(edit.a) || goes(edit.b); });
-  std::erase_if(loaded.joints, [&](const JointEdit& edit) {
-    return goes(edit.key.body) || std::any_of(edit.key.others.begin(), edit.key.others.end(), goes);
-  });
-  for (JointEdit& edit : loaded.joints) std::erase_if(edit.clamped, goes);
-  for (std::size_t i = 0; i < meant->size(); ++i) {
-    if ((*meant)[i]) {
-      loaded.warnings.push_back(isLeftOut(product.bodies[i].shown()));
-      continue;
-    }
-    rest.bodies.push_back(product.bodies[i]);
-    rest.deflections.push_back(product.deflections[i]);
-    if (!product.spacings.empty()) rest.spacings.push_back(product.spacings[i]);
-    if (!loaded.classes.empty()) classes.push_back(loaded.classes[i]);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if ((*meant)[i]) loaded.warnings.push_back(isLeftOut(bodies[i].shown()));
   }
-  labelBodies(rest.bodies, rest.tree);
-  product = std::move(rest);
-  loaded.classes = std::move(classes);
+  remove(*meant, loaded);
   return Done{};
 }
 

@@ -102,7 +102,7 @@ void describe(Archive& demands, Type<SequenceDemands> /*type*/) {
                    "Masses in kg; by volume and density for other bodies.");
   demands.optional("fragile", &Demands::fragile, names(0), "Bodies that leave as early as they can.");
   demands.optional("tools", &Demands::tools, listOf(kTextPair),
-                   "A body and the tool that turns it: hex_key, socket, screwdriver, open_wrench, none. By shape for "
+                   "A body and its tool: hex_key, socket, screwdriver, open_wrench, circlip_pliers, none. By shape for "
                    "other bodies.");
   demands.optional("fasteners", &Demands::fasteners, listOf(kTextPair),
                    "A body and its kind of fastener: screw, nut, washer, pin, none. By shape for other bodies.");

@@ -9,7 +9,6 @@
 
 #include "engine/evidence/pulled_thread.h"
 #include "engine/fits/region_pair.h"
-#include "engine/fits/thread_pitch.h"
 #include "engine/geometry/triangle_pair.h"
 
 namespace glissade {
@@ -113,7 +112,8 @@ class PairExaminer {
     } else if (thickest_ > kTouching) {
       const double shaft = std::max(axis_->radiusA, axis_->radiusB);
       thickness_ = 2.0 * shaft;
-      setOverlap(isThreadDepth(shaft, thickest_) ? ContactKind::Thread : ContactKind::Press, thickest_, 0.0);
+      setOverlap(evidence::hasDepthOfThread(shaft, thickest_) ? ContactKind::Thread : ContactKind::Press, thickest_,
+                 0.0);
     } else if (coaxialTouch_ || planarTouch_) {
       set(coaxialTouch_ ? ContactKind::Cylindrical : ContactKind::Planar, 0.0, 0.0);
     } else if (tangentTouch_ || nested_.touches || meetsExactly_ ||
@@ -302,7 +302,38 @@ class PairExaminer {
       contact_->axis = axis_;
     } else if (nested_.touches || nested_.overlap > kTouching) {
       contact_->axis = nested_.axis;
+    } else if (kind == ContactKind::Overlap || kind == ContactKind::Clash) {
+      contact_->axis = axisBeside();
     }
+  }
+
+  /// The axis of a shaft that is in the wall of a hole, because the axes are parallel and beside each other, as of a
+  /// screw that is placed so. Of several, the pair that is beside each other for longest.
+  std::optional<ContactAxis> axisBeside() const {
+    constexpr double kParallel = 1e-4;
+    constexpr double kMostBeside = 1e-3;
+    std::optional<ContactAxis> longest;
+    double length = 0.0;
+    for (const CylinderRegion& own : a_.regions.cylinders) {
+      for (const CylinderRegion& other : b_.regions.cylinders) {
+        if (own.shaft == other.shaft) continue;
+        const CylinderRegion& shaft = own.shaft ? own : other;
+        const CylinderRegion& hole = own.shaft ? other : own;
+        if (shaft.direction.cross(hole.direction).norm() > kParallel) continue;
+        const Vector3 from = hole.point - shaft.point;
+        const double beside = from.cross(shaft.direction).norm();
+        if (beside + shaft.radius - hole.radius <= kTouching) continue;
+        if (beside + std::abs(shaft.radius - hole.radius) > kMostBeside) continue;
+        const double sense = shaft.direction.dot(hole.direction) < 0.0 ? -1.0 : 1.0;
+        const double at = from.dot(shaft.direction);
+        const auto [low, high] = std::minmax({at + sense * hole.low, at + sense * hole.high});
+        const double common = std::min(high, shaft.high) - std::max(low, shaft.low);
+        if (common <= length) continue;
+        length = common;
+        longest = ContactAxis{shaft.point, shaft.direction, own.radius, other.radius, own.shaft};
+      }
+    }
+    return longest;
   }
 
   const PreparedBody& a_;

@@ -1,6 +1,10 @@
 #include "engine/fits/contact_report.h"
 
-#include <set>
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <tuple>
 #include <utility>
 
 #include "engine/base/made_once.h"
@@ -10,19 +14,36 @@
 namespace glissade {
 namespace {
 
-/// Prepares bodies for comparisons, and the surfaces of each mesh once. Thread-safe for different bodies.
+using Pair = std::pair<std::size_t, std::size_t>;
+
+/// Prepares bodies for their first comparison and drops them after their last one, because prepared bodies of fine
+/// meshes need much memory. The surfaces of each mesh are found once. Thread-safe.
 class Preparation {
  public:
-  explicit Preparation(const std::vector<ContactBody>& bodies) : bodies_(bodies), prepared_(bodies.size()) {}
-
-  void prepare(std::size_t index) {
-    const ContactBody& body = bodies_[index];
-    const auto shape = shapes_.get(body.mesh.get(), {}, [&] { return shapeOf(*body.mesh); });
-    prepared_[index] = std::make_unique<const PreparedBody>(transformed(shape->mesh, body.X_WB),
-                                                            transformed(shape->regions, body.X_WB), body.deflection);
+  Preparation(const std::vector<ContactBody>& bodies, const std::vector<Pair>& pairs)
+      : bodies_(bodies), prepared_(bodies.size()) {
+    for (const auto& [a, b] : pairs) {
+      ++prepared_[a].left;
+      ++prepared_[b].left;
+    }
   }
-  /// Precondition: it is prepared.
-  const PreparedBody& operator[](std::size_t index) const { return *prepared_[index]; }
+
+  /// Precondition: a pair of the body is left.
+  const PreparedBody& of(std::size_t index) {
+    Prepared& own = prepared_[index];
+    std::call_once(own.isMade, [&] {
+      const ContactBody& body = bodies_[index];
+      const auto shape = shapes_.get(body.mesh.get(), {}, [&] { return shapeOf(*body.mesh); });
+      own.body = std::make_unique<const PreparedBody>(transformed(shape->mesh, body.X_WB),
+                                                      transformed(shape->regions, body.X_WB), body.deflection);
+    });
+    return *own.body;
+  }
+  void finish(const Pair& pair) {
+    for (const std::size_t index : {pair.first, pair.second}) {
+      if (--prepared_[index].left == 0) prepared_[index].body.reset();
+    }
+  }
 
  private:
   struct Shape {
@@ -37,14 +58,19 @@ class Preparation {
     return std::make_shared<const Shape>(std::move(shape));
   }
 
+  struct Prepared {
+    std::once_flag isMade;
+    std::unique_ptr<const PreparedBody> body;
+    std::atomic<int> left{0};  ///< number of pairs
+  };
+
   const std::vector<ContactBody>& bodies_;
-  std::vector<std::unique_ptr<const PreparedBody>> prepared_;
+  std::vector<Prepared> prepared_;
   MadeOnce<const TriangleMesh*, ShapePtr> shapes_;
 };
 
-/// Pairs whose boxes are near each other, ordered by the first body, then by the second one.
-std::vector<std::pair<std::size_t, std::size_t>> nearPairs(const std::vector<ContactBody>& bodies,
-                                                           const ContactLimits& limits) {
+/// Pairs whose boxes are near each other.
+std::vector<Pair> nearPairs(const std::vector<ContactBody>& bodies, const ContactLimits& limits) {
   std::vector<Box3> boxes;
   for (const ContactBody& body : bodies) {
     boxes.push_back(boundingBox(*body.mesh, body.X_WB));
@@ -52,7 +78,7 @@ std::vector<std::pair<std::size_t, std::size_t>> nearPairs(const std::vector<Con
     boxes.back().min() -= margin;
     boxes.back().max() += margin;
   }
-  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  std::vector<Pair> pairs;
   for (std::size_t a = 0; a < bodies.size(); ++a) {
     for (std::size_t b = a + 1; b < bodies.size(); ++b) {
       if (limits.only && a != *limits.only && b != *limits.only) continue;
@@ -62,32 +88,48 @@ std::vector<std::pair<std::size_t, std::size_t>> nearPairs(const std::vector<Con
   return pairs;
 }
 
+/// Puts the pairs of each body next to each other, by the finer mesh of the pair: fine meshes are prepared for a short
+/// time. The finest come first, since a long last pair leaves the other threads idle, or last (`smallFirst`), so that
+/// most pairs are compared in a limited time.
+void order(const std::vector<ContactBody>& bodies, bool smallFirst, std::vector<Pair>& pairs) {
+  const auto trianglesOf = [&](std::size_t body) { return bodies[body].mesh->triangles.size(); };
+  const auto keyOf = [&](const Pair& pair) {
+    const std::size_t finer = trianglesOf(pair.first) > trianglesOf(pair.second) ? pair.first : pair.second;
+    return std::pair(trianglesOf(finer), finer);
+  };
+  std::stable_sort(pairs.begin(), pairs.end(), [&](const Pair& one, const Pair& other) {
+    return smallFirst ? keyOf(one) < keyOf(other) : keyOf(one) > keyOf(other);
+  });
+}
+
 }  // namespace
 
 ContactReport findContacts(const std::vector<ContactBody>& bodies, const ContactLimits& limits, const WorkWatch& watch,
-                           ThreadTeam& team) {
-  const auto pairs = nearPairs(bodies, limits);
-  std::set<std::size_t> compared;
-  for (const auto& [a, b] : pairs) compared.insert({a, b});
-  const std::vector<std::size_t> all(compared.begin(), compared.end());
-  Preparation prepared(bodies);
-  team.run(all.size(), [&](std::size_t i) {
-    if (!watch.stop.stopRequested()) prepared.prepare(all[i]);
-  });
+                           ThreadTeam& team, const std::optional<StopToken>& enough) {
+  auto pairs = nearPairs(bodies, limits);
+  order(bodies, enough.has_value(), pairs);
+  Preparation prepared(bodies, pairs);
   std::vector<std::optional<Contact>> found(pairs.size());
+  std::vector<char> isLeft(pairs.size(), 0);
   PartCount done(watch, pairs.size());
   team.run(pairs.size(), [&](std::size_t i) {
     if (watch.stop.stopRequested()) return;
-    found[i] = contactOf(prepared[pairs[i].first], prepared[pairs[i].second], limits);
+    isLeft[i] = enough && enough->stopRequested();
+    if (isLeft[i] == 0) found[i] = contactOf(prepared.of(pairs[i].first), prepared.of(pairs[i].second), limits);
+    prepared.finish(pairs[i]);
     done.add();
   });
   ContactReport report;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (isLeft[i] != 0) report.notCompared.push_back(pairs[i]);
     if (!found[i]) continue;
     report.contacts.push_back(*found[i]);
     report.contacts.back().a = pairs[i].first;
     report.contacts.back().b = pairs[i].second;
   }
+  std::sort(report.contacts.begin(), report.contacts.end(), [](const Contact& one, const Contact& other) {
+    return std::tie(one.a, one.b) < std::tie(other.a, other.b);
+  });
   return report;
 }
 

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/base/thread_team.h"
@@ -46,7 +47,8 @@ struct Contact {
 };
 
 struct ContactReport {
-  std::vector<Contact> contacts;  ///< ordered by a, then by b
+  std::vector<Contact> contacts;                                   ///< ordered by a, then by b
+  std::vector<std::pair<std::size_t, std::size_t>> notCompared{};  ///< pairs left after `enough`
 };
 
 /// Limits of the reported pairs, and of overlaps that are clashes.
@@ -61,9 +63,10 @@ struct ContactLimits {
 
 /// Every pair of bodies that touch, overlap or are within the requested clearance, from their meshes. Stated or fitted
 /// surfaces (findSurfaceRegions()) are compared exactly, other near surfaces by their triangles. Overlaps are found
-/// between closed meshes only. The threads of the team share the work. After a stop the report is incomplete.
+/// between closed meshes only. The threads of the team share the work. After a stop the report is incomplete. `enough`:
+/// once it is requested, no other pair is begun; pairs of few triangles come first then.
 ContactReport findContacts(const std::vector<ContactBody>& bodies, const ContactLimits& limits, const WorkWatch& watch,
-                           ThreadTeam& team);
+                           ThreadTeam& team, const std::optional<StopToken>& enough = {});
 /// On the calling thread alone.
 ContactReport findContacts(const std::vector<ContactBody>& bodies, const ContactLimits& limits = {},
                            const WorkWatch& watch = {});

@@ -31,7 +31,8 @@ struct Fit : Allowance {
   /// Set if a person marks the pair as a thread, or if the thread of the shaft is taken away.
   std::optional<FitThread> thread{};
   MeshPtr thinned{};  ///< the thinned body; null if it is whole
-  /// Set if the clash is accepted and refused all the same: it is not clear which body is cut, or neither stays whole.
+  /// Set if the clash is refused whether it is accepted or not: it is not clear which body is cut, or neither stays
+  /// whole.
   std::optional<evidence::Cut> cut{};
   Message refused{};  ///< reason why nothing is allowed; empty: it is allowed
 };

@@ -1,6 +1,7 @@
 #include "engine/fits/fit_table.h"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 #include "engine/base/part_count.h"
@@ -36,24 +37,37 @@ void callClash(PairFit& pair) {
 }
 
 /// Measures each pair once, the pairs with the most triangles first. Bodies that are asked about at the same time share
-/// a pair, so that one would wait for the other.
-void measurePairs(const AssembledProduct& product, const std::vector<Contact>& contacts, evidence::PlacedBodies& placed,
-                  ThreadTeam& team, const WorkWatch& watch) {
+/// a pair, so that one would wait for the other. With a deadline the smallest pairs come first, and the pairs that are
+/// left are not compared.
+void measurePairs(const AssembledProduct& product, evidence::PlacedBodies& placed, ThreadTeam& team,
+                  const WorkWatch& watch, const std::optional<FitDeadlines>& deadlines, ContactReport& report) {
   const auto trianglesOf = [&](const Contact& contact) {
     return product.bodies[contact.a].mesh->triangles.size() + product.bodies[contact.b].mesh->triangles.size();
   };
-  std::vector<const Contact*> pairs;
-  for (const Contact& contact : contacts) pairs.push_back(&contact);
-  std::stable_sort(pairs.begin(), pairs.end(),
-                   [&](const Contact* one, const Contact* other) { return trianglesOf(*one) > trianglesOf(*other); });
-  PartCount done(watch, pairs.size());
-  team.run(pairs.size(), [&](std::size_t i) {
+  std::vector<std::size_t> order(report.contacts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t one, std::size_t other) {
+    const std::size_t ofOne = trianglesOf(report.contacts[one]);
+    const std::size_t ofOther = trianglesOf(report.contacts[other]);
+    return deadlines ? ofOne < ofOther : ofOne > ofOther;
+  });
+  std::vector<char> isLeft(order.size(), 0);
+  PartCount done(watch, order.size());
+  team.run(order.size(), [&](std::size_t i) {
     if (watch.stop.stopRequested()) return;
-    const evidence::Body a = product.measured(pairs[i]->a);
-    const evidence::Body b = product.measured(pairs[i]->b);
-    placed.measure({a, a.X_WB}, {b, b.X_WB}, watch.stop);
+    const Contact& contact = report.contacts[order[i]];
+    const evidence::Body a = product.measured(contact.a);
+    const evidence::Body b = product.measured(contact.b);
+    isLeft[order[i]] = deadlines && deadlines->pairs.stopRequested();
+    if (isLeft[order[i]] == 0) placed.measure({a, a.X_WB}, {b, b.X_WB}, watch.stop);
     done.add();
   });
+  std::vector<Contact> measured;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (isLeft[i] == 0) measured.push_back(report.contacts[i]);
+    if (isLeft[i] != 0) report.notCompared.emplace_back(report.contacts[i].a, report.contacts[i].b);
+  }
+  report.contacts = std::move(measured);
 }
 
 }  // namespace
@@ -79,21 +93,22 @@ std::vector<BodyId> PairFit::thinner() const {
 }
 
 Result<FitTable> FitTable::find(const AssembledProduct& product, ThreadTeam& team, const WorkWatch& watch,
-                                const ContactLimits& limits) {
+                                const ContactLimits& limits, const std::optional<FitDeadlines>& deadlines) {
   constexpr double kContactsShare = 0.5;  // shares of the work
   constexpr double kPairsShare = 0.9;
   const StopToken& stop = watch.stop;
   const WorkWatch forContacts = watch.part(0.0, kContactsShare);
-  const std::vector<Contact> contacts = findContacts(contactBodiesOf(product), limits, forContacts, team).contacts;
+  const std::optional<StopToken> enough = deadlines ? std::optional(deadlines->contacts) : std::nullopt;
+  ContactReport report = findContacts(contactBodiesOf(product), limits, forContacts, team, enough);
   FitTools tools;
   // Each body that is taken thinner is asked about once or twice.
   tools.prepared = std::make_shared<PreparedBodies>(product.bodies, BoxCare::ForFewQueries);
-  measurePairs(product, contacts, tools.placed, team, watch.part(kContactsShare, kPairsShare));
+  measurePairs(product, tools.placed, team, watch.part(kContactsShare, kPairsShare), deadlines, report);
   std::vector<Result<ObjectFits>> objects(product.bodies.size(), ObjectFits());
   PartCount done(watch.part(kPairsShare, 1.0), objects.size());
   team.run(objects.size(), [&](std::size_t body) {
     if (!stop.stopRequested()) {
-      objects[body] = findObjectFits({product, body, {}, &contacts, limits, nullptr, &tools}, stop);
+      objects[body] = findObjectFits({product, body, {}, &report.contacts, limits, nullptr, &tools}, stop);
       done.add();
     }
   });
@@ -106,7 +121,9 @@ Result<FitTable> FitTable::find(const AssembledProduct& product, ThreadTeam& tea
     if (!object) return object.error();
     found.push_back(std::move(*object));
   }
-  return FitTable(product, std::move(found));
+  FitTable table(product, std::move(found));
+  table.notCompared_.insert(report.notCompared.begin(), report.notCompared.end());
+  return table;
 }
 
 FitTable FitTable::of(const AssembledProduct& product, std::vector<ObjectFits> objects) {

@@ -3,7 +3,10 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/base/enum_names.h"
@@ -51,13 +54,20 @@ struct PairFit {
   std::vector<BodyId> thinner() const;
 };
 
+/// When the search for fits ends although pairs are left.
+struct FitDeadlines {
+  StopToken contacts;  ///< no other pair is looked at for contacts
+  StopToken pairs;     ///< no other pair is measured
+};
+
 /// The table of a product's fits that plans, sequences and the window share. Immutable, shared by threads.
 class FitTable {
  public:
   /// Compares each pair of bodies once, whether the product's fits are on or not. `watch` gets the finished share, from
-  /// one thread at a time. Errors: see findObjectFits(); Interrupted.
+  /// one thread at a time. After the deadlines the table lacks the pairs of notCompared(), whose bodies have no
+  /// allowance against each other. Errors: see findObjectFits(); Interrupted.
   static Result<FitTable> find(const AssembledProduct& product, ThreadTeam& team, const WorkWatch& watch,
-                               const ContactLimits& limits = {});
+                               const ContactLimits& limits = {}, const std::optional<FitDeadlines>& deadlines = {});
 
   /// The table of a product whose fits were found before: `objects` are those of a table of the same product.
   static FitTable of(const AssembledProduct& product, std::vector<ObjectFits> objects);
@@ -71,6 +81,8 @@ class FitTable {
   const std::vector<ObjectFits>& objects() const { return objects_; }
   /// Clashes and plain overlaps, each pair once.
   const Warnings& warnings() const { return warnings_; }
+  /// Pairs of bodies, by index, that deadlines have left.
+  const std::set<std::pair<std::size_t, std::size_t>>& notCompared() const { return notCompared_; }
   /// Collision bodies for the product's motions, with the thinned bodies.
   const std::shared_ptr<PreparedBodies>& prepared() const { return prepared_; }
 
@@ -82,6 +94,7 @@ class FitTable {
   std::vector<ObjectFits> objects_;
   Warnings warnings_;
   std::shared_ptr<PreparedBodies> prepared_;
+  std::set<std::pair<std::size_t, std::size_t>> notCompared_;
 };
 
 using FitTablePtr = std::shared_ptr<const FitTable>;

@@ -31,8 +31,9 @@ bool agrees(StandardPart part, JointKind kind) {
              part == StandardPart::Nut || part == StandardPart::Seal || part == StandardPart::Ring;
     case JointKind::Pin: return part == StandardPart::Pin || part == StandardPart::Screw;
     case JointKind::Unit: return part == StandardPart::Bearing;
-    case JointKind::Flexible: return part == StandardPart::Belt || part == StandardPart::Seal;
-    case JointKind::Snap: return part == StandardPart::Ring;
+    case JointKind::Flexible:
+      return part == StandardPart::Belt || part == StandardPart::Seal || part == StandardPart::Ring;
+    case JointKind::Snap:
     case JointKind::Permanent: break;
   }
   return false;

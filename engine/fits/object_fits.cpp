@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 #include <numbers>
+#include <utility>
 
 #include "engine/base/depth_text.h"
 #include "engine/evidence/named_screw.h"
@@ -14,6 +15,7 @@
 #include "engine/fits/hollow_fit.h"
 #include "engine/fits/modelled_thread.h"
 #include "engine/fits/object_contacts.h"
+#include "engine/fits/thread_pitch.h"
 #include "engine/model/designation.h"
 
 namespace glissade {
@@ -218,30 +220,55 @@ class FitFinder {
     fits_.clashes.push_back(std::move(fit));
   }
 
-  /// If the clash is accepted, the reason is that neither body can be cut.
+  /// A clash is advised to be accepted only where that frees the pair.
   void refuseClash(Fit fit, const FoundContact& found, double overlap) {
     fit.overlap = overlap;
     fit.allowance = overlap + found.contact.deviation;
-    if (words_.accepts(wordAbout(fit.obstacle), overlap)) {
-      fit.cut = cutOf(fit.obstacle, found);
-      const bool isNotClear = fit.cut == evidence::Cut::NotClear;
-      const CatalogueText reason = isNotClear
-                                       ? GLISSADE_TEXT("overlap by %1, and which of the two is cut is not clear")
-                                       : GLISSADE_TEXT("overlap by %1, and neither can be cut and stay in one piece");
-      const Message named{GLISSADE_TEXT("Name the one that is cut (--cut \"%1\" or --cut \"%2\"), or mend the parts."),
-                          {object_.shown(), body(fit.obstacle).shown()}};
-      refuse(fit, {reason, {Depth{overlap}}}, isNotClear ? named : Message(GLISSADE_TEXT("Mend the parts.")));
-      return;
-    }
-    if (fit.kind == ContactKind::Press && isPressedInsert(fit.obstacle, found.contact)) {
+    const bool isAccepted = words_.accepts(wordAbout(fit.obstacle), overlap);
+    if (!isAccepted && fit.kind == ContactKind::Press && isPressedInsert(fit.obstacle, found.contact)) {
       refuse(fit, {GLISSADE_TEXT("overlap by %1, because the insert is pressed or melted in"), {Depth{overlap}}},
              {GLISSADE_TEXT("It is removed with its host. To press it out, accept the clash (--accept-clashes %1) and "
                             "state this for the joint."),
               {depthAsOption(overlap)}});
       return;
     }
+    const evidence::Cut cut = cutOf(fit.obstacle, found);
+    const bool isWhole = cut != evidence::Cut::NotWhole;
+    if (isAccepted || (!isWhole && !isFreeIfAccepted(fit.obstacle, found))) {
+      refuseCut(fit, cut);
+      return;
+    }
+    const Message accept{GLISSADE_TEXT("Accept it (--accept-clashes %1), or mend the parts."),
+                         {depthAsOption(overlap)}};
+    const Message acceptAndName{
+        GLISSADE_TEXT("Accept it and name the one that is cut (--accept-clashes %1 --cut \"%2\" or --cut \"%3\"), or "
+                      "mend the parts."),
+        {depthAsOption(overlap), object_.shown(), body(fit.obstacle).shown()}};
     refuse(fit, {GLISSADE_TEXT("overlap by %1, which is a clash"), {Depth{overlap}}},
-           {GLISSADE_TEXT("Accept it (--accept-clashes %1), or mend the parts."), {depthAsOption(overlap)}});
+           cut == evidence::Cut::NotClear ? acceptAndName : accept);
+  }
+
+  /// Refuses a clash that is accepted, or that would be refused all the same if it were.
+  void refuseCut(Fit fit, evidence::Cut cut) {
+    fit.cut = cut;
+    const bool isNotClear = cut == evidence::Cut::NotClear;
+    const CatalogueText reason = isNotClear
+                                     ? GLISSADE_TEXT("overlap by %1, and which of the two is cut is not clear")
+                                     : GLISSADE_TEXT("overlap by %1, and neither can be cut and stay in one piece");
+    const Message named{GLISSADE_TEXT("Name the one that is cut (--cut \"%1\" or --cut \"%2\"), or mend the parts."),
+                        {object_.shown(), body(fit.obstacle).shown()}};
+    refuse(fit, {reason, {Depth{fit.overlap}}}, isNotClear ? named : Message(GLISSADE_TEXT("Mend the parts.")));
+  }
+
+  /// True if nothing is refused of the pair where a person accepts its clash.
+  bool isFreeIfAccepted(std::size_t obstacle, const FoundContact& found) {
+    ObjectFits kept = std::exchange(fits_, {});
+    const double most = std::exchange(words_.acceptedClash, kAdvisedClashes);
+    resolve(obstacle, found);
+    const ObjectFits accepted = std::exchange(fits_, std::move(kept));
+    words_.acceptedClash = most;
+    for (const Fit& fit : accepted.allowed) forget(fit.thinned);
+    return accepted.clashes.empty();
   }
 
   /// One body alone gives way where that frees the pair. Of a shaft in a hole it has to free the way along the axis,
@@ -268,8 +295,8 @@ class FitFinder {
       for (const Fit& unused : taken) forget(unused.thinned);
     }
     const bool needsBoth = isInPatches && !hasShaft(found.contact);
-    // A pair that is deep as a thread has to turn. For others it is enough that the one is pulled out of the other.
-    const Freedom wanted = found.contact.kind == ContactKind::Thread ? Freedom::All : Freedom::Slides;
+    // A pair that may be a thread has to turn. For others it is enough that the one is pulled out of the other.
+    const Freedom wanted = mayBeThread(found.contact) ? Freedom::All : Freedom::Slides;
     const bool isEnough = freedom >= wanted && !needsBoth;
     const std::vector<Fit> both = isEnough ? std::vector<Fit>() : bothThinner(fit, bounds, found.at);
     const bool takesBoth =
@@ -295,6 +322,12 @@ class FitFinder {
     const auto opening = ownOpening ? ownOpening : othersOpening;
     refuse(lacking, opening ? noRoomBeside(lacking.allowance, *opening) : noRoom(lacking.allowance),
            GLISSADE_TEXT("Mend the parts."));
+  }
+
+  static bool mayBeThread(const Contact& contact) {
+    const bool isTight = contact.kind == ContactKind::Thread || contact.kind == ContactKind::Press;
+    return isTight && contact.axis &&
+           isThreadDepth(std::max(contact.axis->radiusA, contact.axis->radiusB), contact.overlap);
   }
 
   evidence::Cut cutOf(std::size_t obstacle, const FoundContact& found) const {

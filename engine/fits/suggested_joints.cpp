@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "engine/fits/snap_ways.h"
+#include "engine/model/designation.h"
 
 namespace glissade {
 namespace {
@@ -63,12 +64,19 @@ constexpr std::array kFirstWords{HintWord{"courroie", JointKind::Flexible}, Hint
                                  HintWord{"loquet", JointKind::Snap}};
 
 /// Words of purchased assemblies, at any place in a name.
-constexpr std::array<std::string_view, 29> kUnitWords{
-    "motor",     "servo",   "stepper",         "nema",    "bearing",      "lager",
-    "roulement", "moteur",  "gearmotor",       "fan",     "pcb",          "board",
-    "sensor",    "switch",  "relay",           "camera",  "battery",      "display",
-    "actuator",  "arduino", "raspberry",       "encoder", "pump",         "solenoid",
-    "bldc",      "speaker", "microcontroller", "vesc",    "potentiometer"};
+constexpr std::array<std::string_view, 25> kUnitWords{
+    "motor", "servo",    "stepper", "nema",    "bearing",         "lager",   "roulement",    "moteur",   "gearmotor",
+    "fan",   "sensor",   "switch",  "relay",   "camera",          "battery", "display",      "actuator", "encoder",
+    "pump",  "solenoid", "bldc",    "speaker", "microcontroller", "vesc",    "potentiometer"};
+
+/// Words of populated circuit boards.
+constexpr std::array<std::string_view, 7> kBoardWords{"pcb",          "pcba",    "board",    "platine",
+                                                      "leiterplatte", "arduino", "raspberry"};
+
+/// Suppliers of units. Their name with a number of the article is that of a unit.
+constexpr std::array<std::string_view, 14> kSuppliers{"schunk",    "festo",   "smc",     "zimmer",     "igus",
+                                                      "maxon",     "hiwin",   "nanotec", "robotis",    "dynamixel",
+                                                      "faulhaber", "rexroth", "norgren", "wittenstein"};
 
 /// Words that name no part.
 constexpr std::array<std::string_view, 14> kUnits{"mm",  "cm",   "in",     "od",       "id",      "long",  "wide",
@@ -83,8 +91,8 @@ bool isLastWord(const std::string& word, std::string_view hint) {
   return word == hint || word == std::string(hint) + "s" || (hint.size() >= 5 && endsWith(word, hint));
 }
 
-/// A retaining ring or a snap ring. It is opened to come out of its groove, by more than hooks bend.
-bool isRetainingRing(const std::vector<std::string>& words) {
+/// The words of a retaining ring or a snap ring.
+bool sayRetainingRing(const std::vector<std::string>& words) {
   if (words.empty()) return false;
   const auto isLast = [&](std::string_view ring) { return isLastWord(words.back(), ring); };
   if (std::any_of(kRingWords.begin(), kRingWords.end(), isLast)) return true;
@@ -95,7 +103,7 @@ bool isRetainingRing(const std::vector<std::string>& words) {
 
 std::optional<JointKind> hintOf(const std::vector<std::string>& words) {
   if (words.empty()) return std::nullopt;
-  if (isRetainingRing(words)) return JointKind::Snap;
+  if (sayRetainingRing(words)) return JointKind::Flexible;
   for (const HintWord& hint : kLastWords) {
     if (isLastWord(words.back(), hint.word)) return hint.kind;
   }
@@ -134,15 +142,33 @@ std::vector<std::string> withoutAssemblyWords(std::vector<std::string> words) {
   return words;
 }
 
+template <std::size_t Count>
+bool hasOneOf(const std::vector<std::string>& words, const std::array<std::string_view, Count>& wanted) {
+  return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
+    return std::find(wanted.begin(), wanted.end(), word) != wanted.end();
+  });
+}
+
 bool isUnitName(const std::string& name) {
   const std::vector<std::string> words = withoutAssemblyWords(wordsOfName(name));
   if (words.empty() || std::find(kNoUnitWords.begin(), kNoUnitWords.end(), words.back()) != kNoUnitWords.end()) {
     return false;
   }
-  return std::any_of(words.begin(), words.end(), [](const std::string& word) {
-    return std::any_of(kUnitWords.begin(), kUnitWords.end(), [&](std::string_view unit) { return word == unit; });
-  });
+  return hasOneOf(words, kUnitWords) || hasOneOf(words, kBoardWords);
 }
+
+/// A supplier and the number of an article: "SCHUNK-1343465".
+bool isArticleName(const std::string& name) {
+  constexpr int kLeastDigits = 5;
+  int digits = 0;
+  for (const char c : name) {
+    digits = std::isdigit(static_cast<unsigned char>(c)) != 0 ? digits + 1 : 0;
+    if (digits == kLeastDigits) return hasOneOf(wordsOfName(name), kSuppliers);
+  }
+  return false;
+}
+
+constexpr CatalogueText kAssemblyName = GLISSADE_TEXT("the assembly is called '%1'");
 
 /// True if every face belongs to one torus: a ring of round section.
 bool isTorus(const TriangleMesh& mesh) {
@@ -187,23 +213,78 @@ class SuggestedJointFinder {
       const auto own = tree.find(shapes_.body(body).id.text());
       if (!own) continue;
       const std::vector<std::size_t> above = tree.assembliesAbove(*own);
-      const auto unit = std::find_if(above.begin(), above.end(),
-                                     [&](std::size_t node) { return isUnitName(tree.nodes()[node].names.product); });
+      const auto unit = std::find_if(above.begin(), above.end(), [&](std::size_t node) {
+        const std::string& name = tree.nodes()[node].names.product;
+        return isUnitName(name) || isArticleName(name);
+      });
       if (unit != above.end()) units[*unit].push_back(body);
     }
     for (const auto& [node, bodies] : units) {
       const bool isKnown = std::all_of(bodies.begin(), bodies.end(), [&](std::size_t body) { return isInUnit_[body]; });
       if (bodies.size() < 2 || bodies.size() == shapes_.size() || isKnown) continue;
+      if (addBoard(node, bodies, joints)) continue;
       Joint joint;
       joint.kind = JointKind::Unit;
-      joint.state = JointState::Suggested;
+      const std::string& name = tree.nodes()[node].names.product;
+      joint.state = isArticleName(name) ? JointState::Recognised : JointState::Suggested;
       joint.body = bodies.front();
       joint.others.assign(bodies.begin() + 1, bodies.end());
       joint.point = shapes_.box(joint.body).center();
-      joint.evidence.push_back({GLISSADE_TEXT("the assembly is called '%1'"), {tree.nodes()[node].names.product}});
+      joint.evidence.push_back({kAssemblyName, {name}});
+      if (isArticleName(name))
+        joint.evidence.emplace_back(GLISSADE_TEXT("it is a purchased unit with the number of its article"));
       for (const std::size_t body : bodies) isTaken_[body] = true;
       joints.push_back(std::move(joint));
     }
+  }
+
+  /// Adds a populated circuit board: a thin plate in an assembly with such a name, and the parts of the assembly that
+  /// are on it. Each part or assembly below counts as a whole. Screws and what does not touch the board are no members.
+  bool addBoard(std::size_t node, const std::vector<std::size_t>& bodies, Joints& joints) {
+    const Product& tree = shapes_.product().tree;
+    const std::string& name = tree.nodes()[node].names.product;
+    if (!hasOneOf(wordsOfName(name), kBoardWords)) return false;
+    const auto board = std::max_element(bodies.begin(), bodies.end(), [&](std::size_t a, std::size_t b) {
+      return std::pair(isBoard(a), shapes_.box(a).volume()) < std::pair(isBoard(b), shapes_.box(b).volume());
+    });
+    if (!isBoard(*board)) return false;
+    Joint joint;
+    joint.kind = JointKind::Unit;
+    joint.body = *board;
+    std::map<std::size_t, std::vector<std::size_t>> members;  // by the node below the assembly
+    for (const std::size_t body : bodies) {
+      if (body != *board && !isTaken_[body]) members[belowOf(node, body)].push_back(body);
+    }
+    for (const auto& [below, part] : members) {
+      const bool isOn = std::any_of(part.begin(), part.end(), [&](std::size_t body) {
+        return shapes_.apart(*board, body, kTouchReach) <= kTouchReach;
+      });
+      if (isOn) joint.others.insert(joint.others.end(), part.begin(), part.end());
+    }
+    if (joint.others.empty()) return false;
+    std::sort(joint.others.begin(), joint.others.end());
+    joint.point = shapes_.box(joint.body).center();
+    joint.evidence = {{kAssemblyName, {name}}, GLISSADE_TEXT("the other parts are on its board, as if soldered")};
+    isTaken_[joint.body] = true;
+    for (const std::size_t other : joint.others) isTaken_[other] = true;
+    joints.push_back(std::move(joint));
+    return true;
+  }
+
+  bool isBoard(std::size_t body) const {
+    constexpr double kThickest = 3.2e-3;
+    constexpr double kLeastWidth = 5.0;  // in thicknesses
+    Vector3 size = boundingBox(*shapes_.body(body).mesh).sizes();
+    std::sort(size.data(), size.data() + 3);
+    return size[0] <= kThickest && size[1] >= kLeastWidth * size[0];
+  }
+
+  /// The node that is directly below the assembly and contains the body.
+  std::size_t belowOf(std::size_t assembly, std::size_t body) const {
+    const Product& tree = shapes_.product().tree;
+    std::size_t node = *tree.find(shapes_.body(body).id.text());
+    while (tree.nodes()[node].parent != assembly) node = *tree.nodes()[node].parent;
+    return node;
   }
 
   void addByBody(std::size_t body, Joints& joints) const {
@@ -217,6 +298,11 @@ class SuggestedJointFinder {
     joint.others = touching(body);
     joint.point = shapes_.box(body).center();
     joint.evidence = {reason};
+    if (*kind == JointKind::Flexible && isRetainingRing(shapes_.product().nameInFile(body)) && isFlatRing(body)) {
+      joint.state = JointState::Recognised;
+      joint.direction = shapes_.body(body).X_WB.orientation * thinAxisOf(body);
+      joint.evidence.emplace_back(GLISSADE_TEXT("it is a flat ring, which is assumed to be opened out of its groove"));
+    }
     if (*kind == JointKind::Flexible) {
       std::erase_if(joint.others, [&](std::size_t other) { return isFlexible(other); });
     } else if (joint.others.empty()) {
@@ -224,10 +310,29 @@ class SuggestedJointFinder {
     }
     if (*kind == JointKind::Snap) {
       addBend(joint);
-      const bool isRing = isRetainingRing(wordsOfName(shapes_.product().nameInFile(body)));
-      if (!(joint.bend > 0.0) && !isRing && !isSnapByClass(body)) return;
+      if (!(joint.bend > 0.0) && !isSnapByClass(body)) return;
     }
     joints.push_back(std::move(joint));
+  }
+
+  /// The axis of the body's frame along which it is thinnest.
+  Vector3 thinAxisOf(std::size_t body) const {
+    const Vector3 size = boundingBox(*shapes_.body(body).mesh).sizes();
+    Eigen::Index thin = 0;
+    size.minCoeff(&thin);
+    return Vector3::Unit(thin);
+  }
+
+  /// True if nothing of the body is on the line through its middle along the axis on which it is thin.
+  bool isFlatRing(std::size_t body) const {
+    constexpr double kFlat = 0.3;
+    const Box3 box = boundingBox(*shapes_.body(body).mesh);
+    const Vector3 axis = thinAxisOf(body);
+    const double thickness = box.sizes().dot(axis);
+    Vector3 others = box.sizes() + 1e9 * axis;
+    if (thickness > kFlat * others.minCoeff()) return false;
+    const Vector3 outside = box.center() - thickness * axis;
+    return !std::isfinite(shapes_.axial(body).tree().firstHit(outside, axis, 0.0));
   }
 
   bool isSnapByClass(std::size_t body) const {
@@ -248,6 +353,7 @@ class SuggestedJointFinder {
     }
     const std::string& name = shapes_.product().nameInFile(body);
     *reason = {GLISSADE_TEXT("the name says '%1'"), {name}};
+    if (isRetainingRing(name)) return JointKind::Flexible;
     if (const auto hint = hintOf(wordsOfName(name))) return hint;
     *reason = GLISSADE_TEXT("it is a ring of round section");
     if (isTorus(*rigid.mesh)) return JointKind::Flexible;
@@ -313,6 +419,11 @@ std::vector<std::string> wordsOfName(const std::string& name) {
   };
   words.erase(std::remove_if(words.begin(), words.end(), isNothing), words.end());
   return words;
+}
+
+bool isRetainingRing(const std::string& name) {
+  const auto said = designationIn(name);
+  return (said && said->part == StandardPart::Ring) || sayRetainingRing(wordsOfName(name));
 }
 
 Joints findSuggestedJoints(const ProductShapes& shapes, const std::vector<std::string>& classes, const Joints& found,

@@ -195,7 +195,7 @@ class ThreadedPartFinder {
     const ContactLimits limits;
     const bool isLarge = depth > limits.clashOverlap || depth > limits.clashThickness * 2.0 * shaft.radius;
     const bool isClash = isLarge && !evidence::isCoreOfThread(shaft.radius, depth);
-    if (isClash || !isThreadDepth(shaft.radius, depth)) return std::nullopt;
+    if (isClash || !evidence::hasDepthOfThread(shaft.radius, depth)) return std::nullopt;
     const AxisLine axis{shaft.point, shaft.direction};
     if (!isSameAxis(axis, {hole.point, hole.direction}, kOneAxisShare * shaft.radius)) return std::nullopt;
     DrawnThread thread{shaftBody, holeBody, axis, shaft.radius, hole.radius, spanOf(shaft, axis), spanOf(hole, axis)};

@@ -12,8 +12,8 @@ namespace glissade {
 
 /// Bodies that are screwed together although neither is a screw or a nut by its shape: a nozzle and its heater block, a
 /// pipe and its fitting. A shaft of one body is thicker than the coaxial hole of the other around it by the depth of a
-/// thread (isThreadDepth()). `known`: joints that were found before; pairs that these join are left out, unless by an
-/// insert that is only suggested. Ordered by body.
+/// thread (evidence::hasDepthOfThread()). `known`: joints that were found before; pairs that these join are left out,
+/// unless by an insert that is only suggested. Ordered by body.
 Joints findThreadedParts(const ProductShapes& shapes, const Joints& known, const StopToken& stop);
 
 /// The joint of a pair with these threads (evidence::commonThreads()); the thread that is engaged longest counts.

@@ -127,7 +127,7 @@ AttributeTable::AttributeTable() {
   mobility.initial = std::string(kMobilityNames.of(Mobility::Static));
   AttributeDefinition tool = builtIn("needs_tool", GLISSADE_TEXT("Needs tool"), Type::Choice, kBody,
                                      GLISSADE_TEXT("Which tool turns the body: by_shape, none, or one of the tools."));
-  tool.choices = {"by_shape", "none", "hex_key", "socket", "screwdriver", "open_wrench"};
+  tool.choices = {"by_shape", "none", "hex_key", "socket", "screwdriver", "open_wrench", "circlip_pliers"};
   tool.initial = std::string("by_shape");
   definitions_ = {
       bounded(builtIn("complexity", GLISSADE_TEXT("Complexity"), Type::Integer, kPlace,

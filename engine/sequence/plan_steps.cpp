@@ -144,6 +144,7 @@ StepMotion makeFlexibleMotion(std::size_t body, const BodySet& present, const Se
   motion.body = own.id;
   motion.path = {{own.X_WB}, {end}};
   motion.method = kFlexible;
+  if (!question.tools.empty() && !question.tools[body].empty()) motion.tool.kind = question.tools[body].front().kind;
   motion.proof.afterSteps = afterSteps;
   motion.certified = false;
   return motion;

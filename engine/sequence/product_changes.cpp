@@ -149,8 +149,11 @@ class StepCarrier {
     std::vector<std::size_t> numbers(steps.size() + 1, 0);  // new number of each step by its number, from 1; 0: none
     std::vector<AssemblyStep> left;
     for (std::size_t i = 0; i < steps.size(); ++i) {
-      const std::vector<BodyId> bodies = steps[i].bodies();
-      if (std::any_of(bodies.begin(), bodies.end(), isGone())) continue;
+      std::erase_if(steps[i].motions, [&](const StepMotion& motion) {
+        const std::vector<BodyId> bodies = motion.bodies();
+        return std::any_of(bodies.begin(), bodies.end(), isGone());
+      });
+      if (steps[i].motions.empty()) continue;
       left.push_back(std::move(steps[i]));
       from.push_back(i);
       numbers[i + 1] = left.size();

@@ -47,8 +47,9 @@ struct CarriedPlan {
   std::vector<std::size_t> from{};  ///< index of each step in the earlier plan
 };
 
-/// Carries the plan over to a product: steps of bodies that are gone are left out, and so is what other steps say about
-/// such bodies. Parts that came have no step. Paths are lengthened where they end inside of the later revision.
+/// Carries the plan over to a product: motions of bodies that are gone are left out, steps without another motion, too,
+/// and what others say about such bodies. Parts that came have no step. Paths are lengthened where they end inside of
+/// the later revision.
 CarriedPlan carriedTo(const AssembledProduct& product, const AssemblyPlan& plan);
 
 }  // namespace glissade

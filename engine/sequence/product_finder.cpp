@@ -28,25 +28,27 @@ bool haveSameBodies(AssembledProduct one, const AssembledProduct& other) {
 }  // namespace
 
 Result<FitTablePtr> ProductFinder::fits(const AssembledProduct& product, ThreadTeam& team, const WorkWatch& watch,
-                                        const std::optional<ContactLimits>& limits) {
+                                        const std::optional<ContactLimits>& limits,
+                                        const std::optional<FitDeadlines>& deadlines) {
   const std::lock_guard lock(fitsMutex_);
   const auto known = std::find_if(fits_.begin(), fits_.end(), [&](const KnownFits& each) {
     return each.limits == limits && isSameProduct(each.product, product);
   });
   if (known != fits_.end()) return known->table;
-  auto table = limits ? found(product, *limits, team, watch) : FitTable::whole(product);
+  auto table = limits ? found(product, *limits, team, watch, deadlines) : FitTable::whole(product);
   if (!table) return table.error();
-  remember({product, limits, std::make_shared<const FitTable>(std::move(*table))}, fits_);
-  return fits_.front().table;
+  auto shared = std::make_shared<const FitTable>(std::move(*table));
+  if (shared->notCompared().empty()) remember({product, limits, shared}, fits_);
+  return shared;
 }
 
 Result<FitTable> ProductFinder::found(const AssembledProduct& product, const ContactLimits& limits, ThreadTeam& team,
-                                      const WorkWatch& watch) {
-  if (!store_) return FitTable::find(product, team, watch, limits);
+                                      const WorkWatch& watch, const std::optional<FitDeadlines>& deadlines) {
+  if (!store_) return FitTable::find(product, team, watch, limits, deadlines);
   const std::string key = store_->keyOf(product, limits);
   if (auto kept = store_->find(key)) return FitTable::of(product, std::move(*kept));
-  auto table = FitTable::find(product, team, watch, limits);
-  if (table) store_->keep(key, table->objects());
+  auto table = FitTable::find(product, team, watch, limits, deadlines);
+  if (table && table->notCompared().empty()) store_->keep(key, table->objects());
   return table;
 }
 
@@ -65,7 +67,8 @@ JointsPtr ProductFinder::joints(const AssembledProduct& product, const std::vect
 
 Result<ProductFindings> ProductFinder::findings(const AssembledProduct& product,
                                                 const std::vector<std::string>& classes, const SequenceDemands& demands,
-                                                ThreadTeam& team, const WorkWatch& watch) {
+                                                ThreadTeam& team, const WorkWatch& watch,
+                                                const std::optional<FitDeadlines>& deadlines) {
   Joints counting;
   if (demands.jointUse != JointUse::Off) {
     // After a stop there are no joints, because a person's edit may be about a joint that was not found.
@@ -76,7 +79,8 @@ Result<ProductFindings> ProductFinder::findings(const AssembledProduct& product,
   }
   AssembledProduct bent = product;
   bent.snaps = bendsOf(countingJoints(counting, demands.jointUse), product);
-  const auto table = fits(bent, team, watch, product.fits.on ? std::make_optional<ContactLimits>() : std::nullopt);
+  const auto table =
+      fits(bent, team, watch, product.fits.on ? std::make_optional<ContactLimits>() : std::nullopt, deadlines);
   if (!table) return table.error();
   return ProductFindings{std::move(counting), ProductFits(bent, *table)};
 }

@@ -30,15 +30,17 @@ class ProductFinder {
   /// `store` keeps fits for later runs; null: none does.
   explicit ProductFinder(std::unique_ptr<FitsStore> store = nullptr) : store_(std::move(store)) {}
 
-  /// The table of fits, whether the product's fits are on or not. `limits`: nothing for FitTable::whole(). `watch` and
-  /// errors: see FitTable::find().
+  /// The table of fits, whether the product's fits are on or not. `limits`: nothing for FitTable::whole(). `watch`,
+  /// `deadlines` and errors: see FitTable::find(). A table that lacks pairs is not remembered.
   Result<FitTablePtr> fits(const AssembledProduct& product, ThreadTeam& team, const WorkWatch& watch,
-                           const std::optional<ContactLimits>& limits = ContactLimits());
+                           const std::optional<ContactLimits>& limits = ContactLimits(),
+                           const std::optional<FitDeadlines>& deadlines = {});
   /// The joints that are found without a person, by findJoints(); null after a stop.
   JointsPtr joints(const AssembledProduct& product, const std::vector<std::string>& classes, const StopToken& stop);
   /// Errors: those of fits() and applied(). After a stop the error is Interrupted.
   Result<ProductFindings> findings(const AssembledProduct& product, const std::vector<std::string>& classes,
-                                   const SequenceDemands& demands, ThreadTeam& team, const WorkWatch& watch);
+                                   const SequenceDemands& demands, ThreadTeam& team, const WorkWatch& watch,
+                                   const std::optional<FitDeadlines>& deadlines = {});
 
  private:
   struct KnownFits {
@@ -53,7 +55,7 @@ class ProductFinder {
   };
 
   Result<FitTable> found(const AssembledProduct& product, const ContactLimits& limits, ThreadTeam& team,
-                         const WorkWatch& watch);
+                         const WorkWatch& watch, const std::optional<FitDeadlines>& deadlines);
 
   std::unique_ptr<FitsStore> store_;
   std::mutex fitsMutex_;

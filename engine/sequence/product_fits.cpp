@@ -85,6 +85,10 @@ const Fit* ProductFits::acceptedClashOf(std::size_t body, std::size_t other) con
   return found == fits.end() ? nullptr : &*found;
 }
 
+bool ProductFits::areCompared(std::size_t body, std::size_t other) const {
+  return table_->notCompared().count(std::minmax(body, other)) == 0;
+}
+
 const FitThread* ProductFits::threadOf(std::size_t body, std::size_t other) const {
   for (const Fit& fit : fitsOf(body)) {
     if (fit.obstacle == other && fit.thread) return &*fit.thread;

@@ -29,6 +29,10 @@ class ProductFits {
   const Fit* clashOf(std::size_t body, std::size_t other) const;
   /// A fit of the two by an accepted clash: one of them is cut, or they are thinned; null: there is none.
   const Fit* acceptedClashOf(std::size_t body, std::size_t other) const;
+  /// False if the time was over before the two were compared: they have no allowance against each other.
+  bool areCompared(std::size_t body, std::size_t other) const;
+  /// The number of pairs that were not compared.
+  std::size_t notCompared() const { return table_->notCompared().size(); }
   /// The thread by which the body leaves the other body by turning only; null: they are not screwed together.
   const FitThread* threadOf(std::size_t body, std::size_t other) const;
   /// Direction in which the body leaves the other body while a hook of either bends, unit, world frame; null: none

@@ -23,7 +23,7 @@ class ToolMeshes {
  public:
   ToolMeshes(const AssemblyPlan& plan, const SequenceQuestion& question) {
     for (const AssemblyStep& step : plan.steps) {
-      if (step.only().tool.kind == ToolKind::None) continue;
+      if (!turnsHead(step.only().tool.kind)) continue;
       for (const ToolUse& use : question.tools[question.product.indexOf(step.only().body)]) {
         const MeshPtr& mesh = question.product.bodies[use.turned].mesh;
         const auto [at, isNew] = heads_.try_emplace(mesh);
@@ -89,7 +89,7 @@ ToolFacts::ToolFacts(const AssemblyPlan& plan, const SequenceQuestion& question)
   const ToolMeshes meshes(plan, question);
   for (const AssemblyStep& step : plan.steps) {
     steps_.emplace_back();
-    if (step.only().tool.kind == ToolKind::None) continue;
+    if (!turnsHead(step.only().tool.kind)) continue;
     const std::size_t body = question.product.indexOf(step.only().body);
     steps_.back().body = body;
     for (const ToolUse& use : question.tools[body]) {
@@ -189,7 +189,7 @@ void addTools(AssemblyPlan& plan, const SequenceQuestion& question, SequenceHost
   for (const AssemblyStep& step : plan.steps) groups.push_back(groupOf(step, question.product));
   host.team().run(plan.steps.size(), [&](std::size_t i) {
     StepTool& own = plan.steps[i].only().tool;
-    if (own.kind == ToolKind::None) return;
+    if (!turnsHead(own.kind)) return;
     BodySet there = question.initial();
     for (std::size_t earlier = 0; earlier <= i; ++earlier) there = without(std::move(there), groups[earlier]);
     if (auto tool = facts.toolOf(i, there, host.stopToken())) own = std::move(*tool);

@@ -213,13 +213,16 @@ Message StuckReasons::ofTurns(const BodyGroup& unit) const {
           {question_.joints->inWords(opened), name(holders.front())}};
 }
 
-/// Names the deepest clash with a present body; empty if there is none.
+/// Names a present body that it was not compared with, or else the deepest clash with one; empty if there is none.
 Message StuckReasons::ofClashes(const BodyGroup& unit) const {
   if (question_.fits == nullptr) return {};
   const Fit* deepest = nullptr;
   std::size_t clashing = unit.front();
   for (const std::size_t other : bodiesIn(without(present_, unit))) {
     for (const std::size_t body : unit) {
+      if (!question_.fits->areCompared(body, other)) {
+        return {GLISSADE_TEXT("it and '%1' were not compared within the time limit: give more time"), {name(other)}};
+      }
       const Fit* clash = question_.fits->clashOf(body, other);
       if (clash == nullptr || (deepest != nullptr && clash->overlap <= deepest->overlap)) continue;
       deepest = clash;
@@ -227,7 +230,7 @@ Message StuckReasons::ofClashes(const BodyGroup& unit) const {
     }
   }
   if (deepest == nullptr) return {};
-  if (deepest->cut) return ofAcceptedClash(clashing, *deepest);
+  if (deepest->cut) return ofRefusedClash(clashing, *deepest);
   // If the bodies only touch, the table of fits says why none is thinned.
   constexpr double kOverlap = 1e-5;
   if (deepest->overlap < kOverlap) {
@@ -238,8 +241,8 @@ Message StuckReasons::ofClashes(const BodyGroup& unit) const {
           {name(deepest->obstacle), Depth{deepest->overlap}}};
 }
 
-/// Says why a clash that is accepted still holds the body.
-Message StuckReasons::ofAcceptedClash(std::size_t body, const Fit& clash) const {
+/// Says why a clash holds the body whether it is accepted or not.
+Message StuckReasons::ofRefusedClash(std::size_t body, const Fit& clash) const {
   const std::string& other = name(clash.obstacle);
   const Depth depth{clash.overlap};
   if (*clash.cut == evidence::Cut::NotClear) {
@@ -248,9 +251,10 @@ Message StuckReasons::ofAcceptedClash(std::size_t body, const Fit& clash) const 
                       "one that is cut (--cut \"%3\" or --cut \"%1\")"),
         {other, depth, name(body)}};
   }
-  return {GLISSADE_TEXT("the clash of it and '%1' (%2) is accepted, and neither can be cut and stay in one piece: mend "
-                        "the parts"),
-          {other, depth}};
+  return {
+      GLISSADE_TEXT("it and '%1' clash where they are assembled (%2), and neither can be cut and stay in one piece: "
+                    "mend the parts"),
+      {other, depth}};
 }
 
 /// Names the body that could be cut for an accepted clash of the unit; empty if there is none.

@@ -42,7 +42,7 @@ class StuckReasons {
   Message asSnap(const BodyGroup& unit, std::size_t other) const;
   Message ofTurns(const BodyGroup& unit) const;
   Message ofClashes(const BodyGroup& unit) const;
-  Message ofAcceptedClash(std::size_t body, const Fit& clash) const;
+  Message ofRefusedClash(std::size_t body, const Fit& clash) const;
   Message ofCuts(const BodyGroup& unit, const std::set<std::size_t>& blocking) const;
   bool isCaged(const BodyGroup& unit, const std::set<std::size_t>& blocking) const;
   bool isBlockedBy(const BodyGroup& unit, const BodyGroup& others) const;

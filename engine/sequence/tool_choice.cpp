@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/fits/suggested_joints.h"
 #include "engine/sequence/fasteners.h"
 
 namespace glissade {
@@ -66,6 +67,10 @@ Result<ToolChoices> chooseTools(const ProductShapes& shapes, const std::vector<F
     choices.push_back(usesOf(toolsByShape(shapes, body, kinds[body]), body));
   }
   addJointTools(joints, choices);
+  for (const Joint& joint : joints) {
+    if (joint.kind == JointKind::Flexible && isRetainingRing(shapes.product().nameInFile(joint.body)))
+      choices[joint.body] = {{ToolKind::CirclipPliers, joint.body}};
+  }
   for (const auto& [name, tool] : demands.tools) {
     const auto kind = kToolNames.find(tool);
     if (!kind) {

@@ -135,6 +135,7 @@ TriangleMesh toolShape(ToolKind kind, const FastenerHead& head) {
     case ToolKind::Socket: return socket(head);
     case ToolKind::Screwdriver: return screwdriver(head);
     case ToolKind::OpenWrench: return openWrench(head);
+    case ToolKind::CirclipPliers:
     case ToolKind::None: break;
   }
   return {};
@@ -154,6 +155,7 @@ ToolHandle handleOf(ToolKind kind, const FastenerHead& head) {
     case ToolKind::Socket: return {{0.0, 0.0, 10.5 * R}, {14.0 * R, 0.0, 10.5 * R}, R};
     case ToolKind::Screwdriver: return {{0.0, 0.0, 10.0 * R}, {0.0, 0.0, 25.0 * R}, 2.0 * handleRadius(head)};
     case ToolKind::OpenWrench: return {{1.5 * R, 0.0, middle}, {12.0 * R, 0.0, middle}, 0.8 * head.height};
+    case ToolKind::CirclipPliers:
     case ToolKind::None: break;
   }
   return {Vector3::Zero(), Vector3::Zero(), 0.0};
@@ -167,6 +169,7 @@ TriangleMesh toolAtRest(ToolKind kind, const FastenerHead& head) {
     case ToolKind::Socket: return both(shankOfSocket(head), armShape(handle));
     case ToolKind::Screwdriver: return screwdriver(head);
     case ToolKind::OpenWrench: return both(openJaw(head), armShape(handle));
+    case ToolKind::CirclipPliers:
     case ToolKind::None: break;
   }
   return {};
@@ -191,6 +194,7 @@ std::vector<Vector3> takeOffWays(ToolKind kind, const FastenerHead& head) {
     case ToolKind::Socket: return {{0.0, 0.0, head.height + R}};
     case ToolKind::HexKey:
     case ToolKind::Screwdriver: return {{0.0, 0.0, R}};
+    case ToolKind::CirclipPliers:
     case ToolKind::None: break;
   }
   return {};

@@ -15,7 +15,7 @@ namespace glissade {
 /// - socket: a ring about the head that takes a bolt 4 R long, a bar, and an arm of 14 R at 10 R
 /// - screwdriver: a blade of 10 R, and a handle of 15 R, at least 6 mm in radius
 /// - open wrench: a jaw, a ring about the head as it turns, and an arm of 12 R beside it
-/// Precondition: not None.
+/// Precondition: turnsHead(kind).
 TriangleMesh toolShape(ToolKind kind, const FastenerHead& head);
 
 /// An open wrench while it is brought on: its jaw is open, and its arm is at the beginning of the swing. Nothing for

@@ -11230,10 +11230,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>son interférence avec «&#xa0;%1&#xa0;» (%2) est acceptée, et il n&apos;est pas clair laquelle des deux pièces est découpée&#xa0;: nommez celle qui est découpée (--cut &quot;%3&quot; ou --cut &quot;%1&quot;)</translation>
     </message>
     <message>
-        <source>the clash of it and &apos;%1&apos; (%2) is accepted, and neither can be cut and stay in one piece: mend the parts</source>
-        <translation>son interférence avec «&#xa0;%1&#xa0;» (%2) est acceptée, et aucune des deux ne peut être découpée et rester d&apos;un seul tenant&#xa0;: corrigez les pièces</translation>
-    </message>
-    <message>
         <source>Write report.html, too (needs Python and matplotlib)</source>
         <translation>Écrire aussi report.html (demande Python et matplotlib)</translation>
     </message>
@@ -11608,10 +11604,6 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <translation>Donnez une longueur, par exemple 1.5mm.</translation>
     </message>
     <message>
-        <source>accepted clash: &apos;%1&apos; and &apos;%2&apos;, %3</source>
-        <translation>interférence acceptée&#xa0;: «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;», %3</translation>
-    </message>
-    <message>
         <source>Incomplete: the plan has no step for %1.</source>
         <translation>Incomplet&#xa0;: le plan n&apos;a pas d&apos;étape pour %1.</translation>
     </message>
@@ -11702,6 +11694,74 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>Touches nothing and may lie beside the product: %1.</source>
         <translation>Ne touche rien et se trouve peut-être à côté du produit&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>accepted clash: %1</source>
+        <translation>interférence acceptée&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>leaves %1 {1|pair|pairs} of bodies that are not compared, and whose bodies may stay</source>
+        <translation>laisse %1 {1|paire|paires} de corps non {1|comparée|comparées}, dont les corps peuvent rester</translation>
+    </message>
+    <message>
+        <source>Open %1 into its groove.</source>
+        <translation>Ouvrir %1 et le placer dans sa gorge.</translation>
+    </message>
+    <message>
+        <source>cut: %1</source>
+        <translation>découpé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>circlip pliers</source>
+        <translation>pince à circlips</translation>
+    </message>
+    <message>
+        <source>is drawn %1 times in one place, and stands for the {2|copy|copies} %3</source>
+        <translation>est dessiné %1 fois au même endroit, et représente {2|la copie|les copies} %3</translation>
+    </message>
+    <message>
+        <source>Delete the copies in the CAD program.</source>
+        <translation>Supprimez les copies dans le logiciel de CAO.</translation>
+    </message>
+    <message>
+        <source>step %1 (%2) holds without %3</source>
+        <translation>l&apos;étape %1 (%2) reste valable sans %3</translation>
+    </message>
+    <message>
+        <source>Accept it and name the one that is cut (--accept-clashes %1 --cut &quot;%2&quot; or --cut &quot;%3&quot;), or mend the parts.</source>
+        <translation>Acceptez-la et nommez celui qui est découpé (--accept-clashes %1 --cut &quot;%2&quot; ou --cut &quot;%3&quot;), ou corrigez les pièces.</translation>
+    </message>
+    <message>
+        <source>it is a purchased unit with the number of its article</source>
+        <translation>c&apos;est un composant acheté avec son numéro d&apos;article</translation>
+    </message>
+    <message>
+        <source>the other parts are on its board, as if soldered</source>
+        <translation>les autres pièces sont sur sa carte, comme soudées</translation>
+    </message>
+    <message>
+        <source>it is a flat ring, which is assumed to be opened out of its groove</source>
+        <translation>c&apos;est un anneau plat, que l&apos;on suppose ouvert pour sortir de sa gorge</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; and &apos;%2&apos;, %3</source>
+        <translation>«&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;», %3</translation>
+    </message>
+    <message>
+        <source>%1: both are taken thinner</source>
+        <translation>%1&#xa0;: les deux sont amincis</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; is cut</source>
+        <translation>%1&#xa0;: «&#xa0;%2&#xa0;» est découpé</translation>
+    </message>
+    <message>
+        <source>it and &apos;%1&apos; were not compared within the time limit: give more time</source>
+        <translation>elle et «&#xa0;%1&#xa0;» n&apos;ont pas été comparées dans le temps imparti&#xa0;: donnez plus de temps</translation>
+    </message>
+    <message>
+        <source>it and &apos;%1&apos; clash where they are assembled (%2), and neither can be cut and stay in one piece: mend the parts</source>
+        <translation>elle et «&#xa0;%1&#xa0;» interfèrent à l’état assemblé (%2), et aucune ne peut être découpée et rester d&apos;un seul tenant&#xa0;: corrigez les pièces</translation>
     </message>
 </context>
 <context>

@@ -42,6 +42,7 @@ bool turnsOnItsWay(const StepMotion& motion) {
 }  // namespace
 
 std::string workSentence(const StepMotion& motion, const std::string& what, const DocumentWords& words) {
+  if (motion.tool.kind == ToolKind::CirclipPliers) return words(GLISSADE_TEXT("Open %1 into its groove."), {what});
   const std::vector<BodyId> bodies = motion.bodies();
   for (const StepJoint& joint : motion.joints) {
     const bool isOwn = std::find(bodies.begin(), bodies.end(), joint.body) != bodies.end();

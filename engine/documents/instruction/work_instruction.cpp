@@ -7,7 +7,7 @@
 
 #include "engine/documents/instruction/instruction_words.h"
 #include "engine/documents/plan_tasks.h"
-#include "engine/fits/fit_refusals.h"
+#include "engine/sequence/accepted_clashes.h"
 #include "engine/sequence/plan_bodies.h"
 #include "engine/sequence/step_motion.h"
 
@@ -82,36 +82,31 @@ class Instructor {
 
   /// The pairs of two kinds of parts between which a clash is accepted.
   struct ClashOfKinds {
-    std::set<std::pair<BodyId, BodyId>> pairs;
+    std::size_t pairs = 0;
     double depth = 0.0;
+    std::set<std::string> cut{};  ///< kinds of parts that are cut
   };
   using ClashesOfKinds = std::map<std::pair<std::string, std::string>, ClashOfKinds>;
 
   std::string acceptedClashes() {
     ClashesOfKinds clashes;
-    addClashes(plan_.steps, plan_.lines, clashes);
+    for (const AcceptedClash& each : acceptedClashesOf(plan_)) {
+      const std::string one = partName(rowOf(each.a));
+      const std::string other = partName(rowOf(each.b));
+      ClashOfKinds& clash = clashes[std::minmax(one, other)];
+      ++clash.pairs;
+      clash.depth = std::max(clash.depth, each.depth);
+      if (!each.cut.empty()) clash.cut.insert(partName(rowOf(each.cut)));
+    }
     std::string list;
     for (const auto& [kinds, clash] : clashes) {
-      const std::string pairs = countedName(kinds.first + " / " + kinds.second, clash.pairs.size());
-      list += (list.empty() ? "" : " · ") + pairs + ", " + words_.length(clash.depth);
+      list += (list.empty() ? "" : " · ") + countedName(kinds.first + " / " + kinds.second, clash.pairs) + ", " +
+              words_.length(clash.depth);
+      std::string cut;
+      for (const std::string& name : clash.cut) cut += (cut.empty() ? "" : ", ") + name;
+      if (!cut.empty()) list += " (" + say(GLISSADE_TEXT("cut: %1"), {cut}) + ")";
     }
     return list.empty() ? list : say(GLISSADE_TEXT("Accepted clashes: %1"), {list});
-  }
-
-  void addClashes(const std::vector<AssemblyStep>& steps, const std::vector<SubassemblyLine>& lines,
-                  ClashesOfKinds& clashes) {
-    for (const StepMotion* motion : motionsOf(steps)) {
-      for (const Allowance& allowance : motion->allowances) {
-        if (!isByAcceptedClash(allowance)) continue;
-        const BodyId& moving = allowance.moving.empty() ? motion->body : allowance.moving;
-        const std::string one = partName(rowOf(moving));
-        const std::string other = partName(rowOf(allowance.body));
-        ClashOfKinds& clash = clashes[std::minmax(one, other)];
-        clash.pairs.insert(std::minmax(moving, allowance.body));
-        clash.depth = std::max(clash.depth, allowance.overlap);
-      }
-    }
-    for (const SubassemblyLine& line : lines) addClashes(line.steps, line.lines, clashes);
   }
 
   /// Adds the steps of the product, or of a group. `group`: number of the step that brings the group.

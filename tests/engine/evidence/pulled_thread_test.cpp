@@ -103,6 +103,16 @@ TEST(PulledThread, WhatIsPressedOrLooseMayBePulled) {
   EXPECT_EQ(Parts(0.0052).boltStays(turned(0.0)), "");
 }
 
+/// A horn on the spline of a servo is thicker by a fifth of a coarse pitch. A screw in plastic may be, too.
+TEST(PulledThread, WhatIsLessThickThanAThreadIsDeepMayBePulled) {
+  const Parts parts(0.005 - 0.2 * kPitch);
+  EXPECT_EQ(parts.boltStays(turned(0.0)), "");
+  EXPECT_EQ(parts.boltLeaves(turned(0.0)), "");
+  const LeavingPair named{parts.bolt, parts.around, parts.overlap, false, nullptr, "screw M10x20"};
+  EXPECT_NE(toString(pulledThread(commonThreads(named), turned(0.0))), "");
+  EXPECT_NE(Parts(0.005 - 0.32 * kPitch).boltStays(turned(0.0)), "") << "the hole has the pitch diameter";
+}
+
 /// A ring around a tube: its outside is wider than the hole of the tube, and nothing overlaps.
 TEST(PulledThread, MaterialBetweenTwoCylindersIsNoThread) {
   Parts parts(0.0042);

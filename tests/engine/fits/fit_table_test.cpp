@@ -65,6 +65,27 @@ void expectSameAsAlone(const AssembledProduct& product, const FitTable& table) {
   }
 }
 
+/// Deadlines that are over leave all pairs, deadlines that are not leave none.
+TEST(FitTable, PairsThatDeadlinesLeaveAreNamed) {
+  RandomStream random(3, "rings");
+  const AssembledProduct product = randomRings(random);
+  ThreadTeam team(1);
+  StopSource over;
+  over.requestStop();
+  const StopToken never;
+  const std::size_t all = tableOf(product).pairs().size();
+  for (const auto& [contacts, pairs] : {std::pair(over.token(), never), std::pair(never, over.token())}) {
+    const auto left = FitTable::find(product, team, {}, {}, FitDeadlines{contacts, pairs});
+    ASSERT_TRUE(left.ok());
+    EXPECT_TRUE(left->pairs().empty());
+    EXPECT_GE(left->notCompared().size(), all);
+  }
+  const auto whole = FitTable::find(product, team, {}, {}, FitDeadlines{never, never});
+  ASSERT_TRUE(whole.ok());
+  EXPECT_EQ(whole->pairs().size(), all);
+  EXPECT_TRUE(whole->notCompared().empty());
+}
+
 TEST(FitTable, IsWhatEachBodyFindsAlone) {
   RandomStream random(1, "rings");
   for (int round = 0; round < 6; ++round) {

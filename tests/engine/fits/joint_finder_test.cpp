@@ -512,7 +512,51 @@ TEST(JointFinder, TheWordBeforeAssemblyCounts) {
   };
   EXPECT_FALSE(isSuggested(JointKind::Unit, 0));
   EXPECT_TRUE(isSuggested(JointKind::Unit, 2));
-  EXPECT_TRUE(isSuggested(JointKind::Snap, 5) || isSuggested(JointKind::Flexible, 5));
+  EXPECT_TRUE(std::any_of(joints.begin(), joints.end(), [](const Joint& joint) {
+    return joint.kind == JointKind::Flexible && joint.body == 5 && joint.state == JointState::Recognised &&
+           joint.others == std::vector<std::size_t>{4};
+  }));
+}
+
+/// The kind and the bodies of each recognised unit.
+std::vector<std::vector<std::size_t>> unitsOf(const AssembledProduct& product) {
+  std::vector<std::vector<std::size_t>> units;
+  for (const Joint& joint : findJoints(product)) {
+    if (joint.kind != JointKind::Unit || joint.state != JointState::Recognised) continue;
+    units.push_back({joint.body});
+    units.back().insert(units.back().end(), joint.others.begin(), joint.others.end());
+  }
+  return units;
+}
+
+/// Connectors with pins in the board and beside each other. The housing and the cable are not on the board.
+TEST(JointFinder, ACircuitBoardAndWhatIsOnItAreAUnit) {
+  const auto boardOf = [](const std::string& assembly, double thickness) {
+    ProductOfParts parts;
+    parts.add("housing", makeBox({0.2, 0.1, 0.01}), Pose::translation({0.0, 0.0, -0.01}))
+        .add(assembly + "/base station", makeBox({0.08, 0.05, thickness}))
+        .add(assembly + "/header/pins", makeBox({0.02, 0.002, 0.01}), Pose::translation({0.01, 0.0, 0.002}))
+        .add(assembly + "/header/socket", makeBox({0.02, 0.004, 0.004}), Pose::translation({0.01, 0.0, 0.006}))
+        .add(assembly + "/jack", makeBox({0.01, 0.01, 0.01}), Pose::translation({-0.02, 0.0, 0.5 * thickness + 0.005}))
+        .add(assembly + "/aerial", makeBox({0.01, 0.01, 0.05}), Pose::translation({-0.02, 0.04, 0.04}));
+    return unitsOf(parts.product());
+  };
+  EXPECT_EQ(boardOf("main PCB", 0.0016), (std::vector<std::vector<std::size_t>>{{1, 2, 3, 4}}));
+  EXPECT_TRUE(boardOf("base", 0.0016).empty()) << "the name says nothing";
+  EXPECT_TRUE(boardOf("main PCB", 0.02).empty()) << "a block";
+}
+
+TEST(JointFinder, AnArticleOfASupplierIsAUnit) {
+  const auto unitOf = [](const std::string& assembly) {
+    ProductOfParts parts;
+    parts.add("plate", makeBox({0.2, 0.1, 0.01}), Pose::translation({0.0, 0.0, -0.1}))
+        .add(assembly + "/housing", makeBox({0.05, 0.05, 0.05}))
+        .add(assembly + "/jaw", makeBox({0.01, 0.01, 0.05}), Pose::translation({0.0, 0.0, 0.06}));
+    return unitsOf(parts.product());
+  };
+  EXPECT_EQ(unitOf("SCHUNK-1343465 MPC 75"), (std::vector<std::vector<std::size_t>>{{1, 2}}));
+  EXPECT_TRUE(unitOf("SCHUNK gripper").empty());
+  EXPECT_TRUE(unitOf("gripper 1343465").empty());
 }
 
 TEST(JointFinder, TheSameProductHasTheSameJoints) {

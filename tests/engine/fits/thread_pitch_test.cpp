@@ -51,6 +51,16 @@ TEST(ThreadPitch, WhatIsThickerByLessThanTheFinestThreadIsPressedIn) {
   EXPECT_FALSE(isThreadDepth(0.03, 0.0003)) << "a bearing in a housing of plastic";
 }
 
+TEST(ThreadPitch, OfNoScrewAThreadHasTheDepthOfTheStandard) {
+  for (const auto& [diameter, pitch] : {std::pair(3.0, 0.5), std::pair(5.0, 0.8), std::pair(10.0, 1.5)}) {
+    const double radius = 0.5e-3 * diameter;
+    for (const double depth : {0.32, 0.5, 0.5413, 0.6134})
+      EXPECT_TRUE(evidence::hasDepthOfThread(radius, 1e-3 * depth * pitch)) << diameter << ", " << depth;
+    EXPECT_FALSE(evidence::hasDepthOfThread(radius, 0.19e-3 * pitch)) << diameter;
+  }
+  EXPECT_TRUE(evidence::hasDepthOfThread(0.029, 0.541 * 0.0015)) << "M58x1.5";
+}
+
 /// The hole of a screw in plastic has no standard depth, and says nothing of the pitch.
 TEST(ThreadPitch, OfAHoleIsAFineOneWhereTheCoreIsThatOfTheStandard) {
   EXPECT_DOUBLE_EQ(pitchOfHole(0.012, 0.012 - 0.541266 * 0.002), 0.002) << "M24x2";

@@ -90,5 +90,21 @@ TEST(CarriedPlan, StepsOfBodiesThatWentAreLeftOut) {
   for (const check::StepVerdict& step : judgePlan(carried.plan, now, std::nullopt).steps) EXPECT_TRUE(step.valid());
 }
 
+/// Two motions of one step, as of a fastener stack: the one whose body is there stays.
+TEST(CarriedPlan, AStepKeepsTheMotionsOfWhatIsThere) {
+  const AssembledProduct before = test::lockedDrawer();
+  AssemblyPlan plan = test::planOf(before, "cabinet");
+  ASSERT_EQ(test::orderOf(plan), (std::vector<BodyId>{"cap", "pin", "drawer"}));
+  plan.steps[0].motions.push_back(plan.steps[1].only());
+  plan.steps.erase(plan.steps.begin() + 1);
+  plan.steps[1].after = {1};
+  AssembledProduct now = before;
+  now.bodies.pop_back();
+  const CarriedPlan carried = carriedTo(now, plan);
+  EXPECT_EQ(test::orderOf(carried.plan), (std::vector<BodyId>{"pin", "drawer"}));
+  EXPECT_EQ(carried.from, (std::vector<std::size_t>{0, 1}));
+  for (const check::StepVerdict& step : judgePlan(carried.plan, now, std::nullopt).steps) EXPECT_TRUE(step.valid());
+}
+
 }  // namespace
 }  // namespace glissade

@@ -10,6 +10,7 @@ namespace glissade {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 /// A block that stays, one that overlaps it by `depth`, and one beside it.
 AssembledProduct overlapping(double depth) {
@@ -33,6 +34,36 @@ TEST(StuckReasons, AClashIsNamedWithTheOtherBodyAndItsDepth) {
   ASSERT_EQ(plan.stuck.size(), 1U);
   EXPECT_EQ(plan.stuck[0].body, "sunk");
   EXPECT_THAT(toString(plan.stuck[0].reason), HasSubstr("it and 'base' clash where they are assembled (5 mm)"));
+}
+
+/// The block lies on the base and would have an allowance.
+TEST(StuckReasons, APairThatTheTimeLimitLeftIsNamed) {
+  const AssembledProduct product = overlapping(0.0);
+  ThreadTeam team(0);
+  StopSource over;
+  over.requestStop();
+  auto table = FitTable::find(product, team, {}, {}, FitDeadlines{over.token(), over.token()});
+  ASSERT_TRUE(table.ok());
+  test::QuietHost host;
+  const ProductFits fits(product, std::make_shared<const FitTable>(std::move(*table)));
+  const auto plan = planSequence(product, fits, SequenceRequest{{true, false, false}}, host);
+  ASSERT_TRUE(plan.ok());
+  ASSERT_EQ(plan->removed(), 1U) << "what touches nothing leaves";
+  ASSERT_EQ(plan->stuck.size(), 1U);
+  EXPECT_THAT(toString(plan->stuck[0].reason), HasSubstr("it and 'base' were not compared within the time limit"));
+}
+
+/// A rod through a plate of which nothing is left beside the rod: the rod would fall apart, and the plate, too.
+TEST(StuckReasons, AClashThatCannotBeCutIsNotAdvisedToBeAccepted) {
+  const AssembledProduct product = test::productOf(
+      {boxBody("base", {0.1, 0.01, 0.01}, Pose::identity()), boxBody("across", {0.01, 0.1, 0.01}, Pose::identity()),
+       boxBody("beside", {0.1, 0.1, 0.1}, Pose::translation({0.3, 0.0, 0.0}))},
+      true);
+  const AssemblyPlan plan = plainPlanOf(product);
+  ASSERT_EQ(plan.stuck.size(), 1U);
+  EXPECT_THAT(toString(plan.stuck[0].reason), HasSubstr("neither can be cut and stay in one piece: mend the parts"));
+  for (const Diagnostic& warning : test::fitsOf(product).warnings())
+    EXPECT_THAT(toString(warning), Not(HasSubstr("Accept it")));
 }
 
 TEST(StuckReasons, AnAcceptedClashNeedsTheNameOfTheBodyThatIsCut) {

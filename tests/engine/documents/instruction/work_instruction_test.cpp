@@ -124,6 +124,10 @@ TEST(WorkInstruction, AcceptedClashesAreOnTheCover) {
   const WorkInstruction instruction = test::instructed(made);
   ASSERT_EQ(instruction.statements.size(), 1U);
   EXPECT_EQ(instruction.statements[0], "Accepted clashes: base / block1, 0.5 mm · base / block2, 0.4 mm");
+  made.plan.steps[0].only().allowances[0].hollow = true;
+  made.plan.steps[1].only().allowances[0].hollow = made.plan.steps[1].only().allowances[0].yields = true;
+  EXPECT_EQ(test::instructed(made).statements.front(),
+            "Accepted clashes: base / block1, 0.5 mm (cut: base) · base / block2, 0.4 mm (cut: block2)");
   const auto pages = instructionPages(instruction, {}, Paper::A4);
   const auto& texts = pages.front().texts;
   EXPECT_TRUE(std::any_of(texts.begin(), texts.end(), [&](const PageText& each) {
