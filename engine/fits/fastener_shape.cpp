@@ -456,6 +456,17 @@ std::optional<double> wrenchFlats(const TurnedShape& shape) {
   return isCollar ? std::optional(flats) : std::nullopt;
 }
 
+bool hasCapHead(const TurnedShape& shape, double diameter) {
+  constexpr double kLeastHeight = 0.88;
+  constexpr double kMostHeight = 1.12;
+  constexpr double kLeastRadius = 0.7;
+  constexpr double kMostRadius = 1.0;
+  if (shape.kind != TurnedKind::Screw || shape.recess > 0.0 || shape.sides != 0) return false;
+  const double height = (shape.high - shape.headLow) / diameter;
+  const double radius = shape.outer / diameter;
+  return height >= kLeastHeight && height <= kMostHeight && radius >= kLeastRadius && radius <= kMostRadius;
+}
+
 bool hasTeeth(const TurnedShape& shape) {
   constexpr int kFewestTeeth = 5;
   constexpr double kLeastDepth = 0.02;  // of the radius

@@ -41,6 +41,10 @@ std::optional<TurnedShape> turnedShapeOf(const TriangleMesh& mesh, const AxialMe
 /// fitting, a hollow screw. Metres; nothing if there is none.
 std::optional<double> wrenchFlats(const TurnedShape& shape);
 
+/// True if the shape is a screw with a round head of the proportions of ISO 4762 that is drawn without a recess.
+/// `diameter`: of the thread, metres.
+bool hasCapHead(const TurnedShape& shape, double diameter);
+
 /// Teeth about the shaft, as of a knurl or a spline: it is pressed in. A thread has a crest or a few in each section.
 bool hasTeeth(const TurnedShape& shape);
 

@@ -14,11 +14,6 @@ constexpr double kThinnestCore = 0.75;
 /// Crests that are modelled for plastic stand out: a screw "M2x10" has 2.2 mm.
 constexpr double kThickestCrest = 1.12;
 constexpr double kSameDriveSize = 0.1;
-/// Heads of ISO 4762: ratios of height and radius to the diameter of the thread.
-constexpr double kLeastSocketHead = 0.88;
-constexpr double kMostSocketHead = 1.12;
-constexpr double kLeastSocketRadius = 0.7;
-constexpr double kMostSocketRadius = 1.0;
 
 bool agrees(StandardPart part, JointKind kind) {
   switch (kind) {
@@ -120,6 +115,14 @@ bool says(const Designations& said, std::size_t body, std::initializer_list<Stan
   return said[body] && std::find(parts.begin(), parts.end(), said[body]->part) != parts.end();
 }
 
+bool isScrewByItself(const ProductShapes& shapes, const Designations& said, std::size_t body) {
+  if (says(said, body, {StandardPart::Screw, StandardPart::SetScrew})) return true;
+  const TurnedShape* shape = shapes.turned(body);
+  if (shape == nullptr) return false;
+  if (shape->drive.kind != DriveKind::None) return true;
+  return hasCapHead(*shape, 2.0 * shape->shaft) && !says(said, body, {StandardPart::Pin});
+}
+
 void addDesignations(const Designations& said, Joint& joint) {
   const auto& own = said[joint.body];
   if (own) addDesignation(*own, joint);
@@ -131,13 +134,8 @@ void addDesignations(const Designations& said, Joint& joint) {
 
 void addUsualDrive(const TurnedShape& shape, Joint& joint) {
   if (joint.kind != JointKind::Screw || joint.drive != DriveKind::None || !joint.thread) return;
-  if (shape.kind != TurnedKind::Screw || shape.recess > 0.0 || shape.sides != 0) return;
   const double diameter = joint.thread->diameter;
-  const double height = (shape.high - shape.headLow) / diameter;
-  const double radius = shape.outer / diameter;
-  const bool isCapHead = height >= kLeastSocketHead && height <= kMostSocketHead && radius >= kLeastSocketRadius &&
-                         radius <= kMostSocketRadius;
-  if (!isCapHead) return;
+  if (!hasCapHead(shape, diameter)) return;
   joint.drive = DriveKind::HexSocket;
   joint.driveSize = usualDriveSize(DriveKind::HexSocket, diameter);
   joint.evidence.emplace_back(GLISSADE_TEXT("the head has the proportions of ISO 4762"));

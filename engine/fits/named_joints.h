@@ -18,6 +18,9 @@ Designations designationsOf(const AssembledProduct& product);
 /// True if the name of the body says that it is one of these parts.
 bool says(const Designations& said, std::size_t body, std::initializer_list<StandardPart> parts);
 
+/// True if the body has a drive, the name of a screw, or the head of a cap screw and no name of a pin.
+bool isScrewByItself(const ProductShapes& shapes, const Designations& said, std::size_t body);
+
 /// Adds the facts of the body's name to a joint, if they agree with its shape: designation, drive, pitch and hand, and
 /// the diameter of a thread that is drawn by its core. If they disagree, the shape counts and the joint is doubtful.
 /// For a thread, the names of the bodies that it is in or on count as well: "M10 LH".

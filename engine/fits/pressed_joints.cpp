@@ -247,7 +247,7 @@ class PressedJointFinder {
 
   void addPin(std::size_t body, const TurnedShape& shape, Joints& joints) const {
     // A screw in a hole that it only passes is no pin.
-    if (shape.kind == TurnedKind::Screw && shape.drive.kind != DriveKind::None) return;
+    if (shape.kind == TurnedKind::Screw && isScrewByItself(shapes_, said_, body)) return;
     if (!hasRoundShaft(shape)) return;
     const double below = shape.headLow - shape.low;
     if (below < kShortestPin * shape.shaft || below > kLongestPin * shape.shaft) return;

@@ -65,12 +65,7 @@ class ThreadedJointFinder {
   }
 
  private:
-  /// True if the body has a drive or the name of a screw.
-  bool isScrew(std::size_t body) const {
-    const TurnedShape* shape = shapes_.turned(body);
-    return (shape != nullptr && shape->drive.kind != DriveKind::None) ||
-           says(said_, body, {StandardPart::Screw, StandardPart::SetScrew});
-  }
+  bool isScrew(std::size_t body) const { return isScrewByItself(shapes_, said_, body); }
 
   bool isNutOn(std::size_t body, const AxisLine& axis, double radius) const {
     return isNut(shapes_, said_, body) && isSameAxis(shapes_.axisOf(body), axis, kSameAxisShare * radius);

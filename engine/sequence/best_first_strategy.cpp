@@ -2,14 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 
 #include "engine/sequence/greedy_strategy.h"
 #include "engine/sequence/holding.h"
+#include "engine/sequence/joint_removal.h"
 #include "engine/sequence/order_search.h"
 #include "engine/sequence/plan_steps.h"
+#include "engine/sequence/removal_directions.h"
 #include "engine/sequence/step_motion.h"
+#include "engine/sequence/step_precedence.h"
 #include "engine/sequence/step_stacks.h"
 #include "engine/sequence/step_tools.h"
 
@@ -25,6 +29,8 @@ constexpr std::size_t kExpansionsWithStanding = 200;
 constexpr std::size_t kMostOrderExpansions = 2000;
 /// Half the cost of a change of direction. An order that costs less by a smaller amount is not worth a change.
 constexpr double kLeastGain = 0.5;
+/// Least reduction of a slide for which a step gets another motion, as a share of the size of its bodies.
+constexpr double kWorthwhileSlide = 0.1;
 /// Number of bodies up to which the full limits of expansions hold.
 constexpr double kSmallProduct = 30.0;
 
@@ -107,7 +113,7 @@ class Reordering {
       return costOfStep(step, last, done);
     };
     question.atLeast = [this](std::size_t step, const std::size_t* last, const std::vector<bool>& done) {
-      return cost_.of(figuresOf(step, last, done));
+      return cost_.of(quickFiguresOf(step, last, done));
     };
     question.continues = [this](std::size_t step, std::size_t before) { return isSameStep(step, before); };
     if (!question_.rules.placed.empty()) question.numbers = keptNumbers();
@@ -117,6 +123,16 @@ class Reordering {
   }
 
  private:
+  /// Figures that depend on which steps are done, and not on their order.
+  struct SetFigures {
+    bool inAir = false;
+    double unfastened = 0.0;
+    double openStacks = 0.0;
+    double falling = 0.0;      ///< known if isWhole
+    bool toolBlocked = false;  ///< known if isWhole
+    bool isWhole = false;
+  };
+
   bool isSameStep(std::size_t step, std::size_t before) const {
     return continuesStack(groups_[step], groups_[before], question_.joints);
   }
@@ -151,7 +167,7 @@ class Reordering {
     }
   }
 
-  /// The figures without those that depend on other bodies: the falling bodies and the access of the tool.
+  /// The figures without those of SetFigures.
   StepFigures figuresOf(std::size_t step, const std::size_t* last, const std::vector<bool>& done) const {
     StepFigures figures = figures_[step];
     const bool isOneOperation = last != nullptr && isSameStep(step, *last);
@@ -173,23 +189,53 @@ class Reordering {
   }
 
   double costOfStep(std::size_t step, const std::size_t* last, const std::vector<bool>& done) {
+    StepFigures figures = quickFiguresOf(step, last, done);
+    SetFigures& ofSet = figuresOfSet(step, done);
+    if (!ofSet.isWhole) addSlowFigures(step, done, ofSet);
+    figures.falling = ofSet.falling;
+    figures.toolBlocked = ofSet.toolBlocked;
+    return cost_.of(figures);
+  }
+
+  /// All figures but the falling bodies and the access of the tool.
+  StepFigures quickFiguresOf(std::size_t step, const std::size_t* last, const std::vector<bool>& done) {
     StepFigures figures = figuresOf(step, last, done);
-    BodySet present = question_.initial();
-    for (std::size_t other = 0; other < done.size(); ++other) {
-      if (done[other]) present = without(std::move(present), groups_[other]);
-    }
-    const BodySet remaining = without(present, groups_[step]);
+    const SetFigures& ofSet = figuresOfSet(step, done);
+    figures.inAir = ofSet.inAir;
+    figures.unfastened = ofSet.unfastened;
+    figures.openStacks = ofSet.openStacks;
+    return figures;
+  }
+
+  SetFigures& figuresOfSet(std::size_t step, const std::vector<bool>& done) {
+    const auto [known, isNew] = ofSets_.try_emplace({done, step});
+    SetFigures& figures = known->second;
+    if (!isNew) return figures;
+    const BodySet remaining = without(presentAfter(done), groups_[step]);
     if (cost_.uses("in_air")) figures.inAir = holding_.isInAir(groups_[step], remaining);
     if (cost_.uses("unfastened")) figures.unfastened = static_cast<double>(holding_.unfastened(remaining));
     if (cost_.uses("open_stacks")) figures.openStacks = static_cast<double>(holding_.openStacks(remaining));
+    return figures;
+  }
+
+  void addSlowFigures(std::size_t step, const std::vector<bool>& done, SetFigures& figures) {
+    const BodySet present = presentAfter(done);
     if (question_.standing != nullptr && cost_.uses("falling")) {
       figures.falling = static_cast<double>(question_.standing->newlyFalling(present, groups_[step]).size());
     }
     if (tools_) {
-      const auto tool = tools_->toolOf(step, remaining, stop_);
+      const auto tool = tools_->toolOf(step, without(present, groups_[step]), stop_);
       figures.toolBlocked = tool && tool->access == ToolAccess::Blocked;
     }
-    return cost_.of(figures);
+    figures.isWhole = true;
+  }
+
+  BodySet presentAfter(const std::vector<bool>& done) const {
+    BodySet present = question_.initial();
+    for (std::size_t step = 0; step < done.size(); ++step) {
+      if (done[step]) present = without(std::move(present), groups_[step]);
+    }
+    return present;
   }
 
   static bool usesAnotherTool(const StepMotion& one, const StepMotion& other) {
@@ -210,7 +256,8 @@ class Reordering {
   std::vector<std::size_t> stacks_;
   std::vector<std::size_t> openers_;   ///< the step that opens the stack of each step; without a stack, the step itself
   std::vector<std::size_t> isolated_;  ///< steps of bodies that touch nothing
-  std::optional<ToolFacts> tools_;     ///< set if the cost uses the access of tools
+  std::map<std::pair<std::vector<bool>, std::size_t>, SetFigures> ofSets_;  ///< computed once
+  std::optional<ToolFacts> tools_;  ///< set if the cost uses the access of tools
 };
 
 /// The bodies that are there after the first n steps of the plan, for each n.
@@ -281,17 +328,75 @@ std::optional<std::vector<AssemblyStep>> reordered(const AssemblyPlan& plan, con
   return steps;
 }
 
+/// Carries out the steps in the cheapest order, where each of them is certified in it.
+void putInOrder(AssemblyPlan& plan, const SequenceQuestion& question, const StopToken& stop) {
+  const auto usual = StepCost::of(SequenceDemands());
+  const StepCost& cost = question.cost != nullptr ? *question.cost : *usual;
+  const auto order = Reordering(plan, question, cost, stop).order();
+  if (std::is_sorted(order.begin(), order.end())) return;
+  if (auto steps = reordered(plan, order, question, stop)) plan.steps = std::move(*steps);
+}
+
+Box3 boxOfBody(std::size_t body, const SequenceQuestion& question) {
+  const RigidBody& own = question.product.bodies[body];
+  return boundingBox(*own.mesh, own.X_WB);
+}
+
+/// How far the group slides along the bodies of `others` that it fits with, metres.
+double slideOf(const BodyGroup& group, const std::vector<PathPoint>& path, const BodySet& others,
+               const SequenceQuestion& question) {
+  std::vector<Vector3> ways;
+  for (std::size_t i = 1; i < path.size(); ++i) ways.push_back(path[i].q.position - path[i - 1].q.position);
+  double slide = 0.0;
+  for (const std::size_t body : group) {
+    std::vector<Box3> touched;
+    for (const Fit& fit : question.fits->fitsOf(body)) {
+      if (others[fit.obstacle]) touched.push_back(boxOfBody(fit.obstacle, question));
+    }
+    slide = std::max(slide, lengthBeside(boxOfBody(body, question), touched, ways));
+  }
+  return slide;
+}
+
+/// Gives steps another straight motion where, at their place in the order, the body slides less along what it touches.
+/// A part was pushed out sideways while another one lay on it, and is lifted off where that one has left before. True
+/// if a motion has changed.
+bool takeShorterSlides(AssemblyPlan& plan, const SequenceQuestion& question, const StopToken& stop) {
+  if (question.fits == nullptr) return false;
+  bool changed = false;
+  BodySet present = question.initial();
+  for (std::size_t i = 0; i < plan.steps.size() && !stop.stopRequested(); ++i) {
+    StepMotion& motion = plan.steps[i].only();
+    const BodyGroup group = groupOf(motion, question.product);
+    const BodySet others = without(present, group);
+    const double slide = slideOf(group, motion.path, others, question);
+    const double least = kWorthwhileSlide * boxOfBody(group.front(), question).diagonal().norm();
+    if (motion.certified && motion.method != kTurned && motion.method != kByHand && slide > least) {
+      const RemovalAnswer answer = question.trial.tryRemoval(group, present, 0, stop);
+      const auto* removed = std::get_if<Removed>(&answer);
+      if (removed != nullptr && slideOf(group, removed->path.points, others, question) < slide - least) {
+        const std::vector<BodyId> falling = motion.falling;
+        motion = makeMotion(group, *removed, question, present, i);
+        motion.falling = falling;
+        changed = true;
+      }
+    }
+    present = others;
+  }
+  return changed;
+}
+
 }  // namespace
 
 AssemblyPlan BestFirstStrategy::plan(const SequenceQuestion& question, SequenceHost& host) {
+  const StopToken& stop = host.stopToken();
   AssemblyPlan plan = GreedyStrategy().plan(question, host);
   plan.strategy = "best-first";
-  if (plan.end == PlanEnd::Interrupted || host.stopToken().stopRequested()) return plan;
-  const auto usual = StepCost::of(SequenceDemands());
-  const StepCost& cost = question.cost != nullptr ? *question.cost : *usual;
-  const auto order = Reordering(plan, question, cost, host.stopToken()).order();
-  if (std::is_sorted(order.begin(), order.end())) return plan;
-  if (auto steps = reordered(plan, order, question, host.stopToken())) plan.steps = std::move(*steps);
+  if (plan.end == PlanEnd::Interrupted || stop.stopRequested()) return plan;
+  putInOrder(plan, question, stop);
+  if (!takeShorterSlides(plan, question, stop)) return plan;
+  addPrecedence(plan, question, host);
+  putInOrder(plan, question, stop);
   return plan;
 }
 

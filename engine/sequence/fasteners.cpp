@@ -65,10 +65,7 @@ std::vector<Role> rolesOf(const std::vector<bool>& isNutByShape, const std::vect
 bool confirms(const ProductShapes& shapes, const Designations& said, std::size_t body, const Role& role,
               FastenerKind kind) {
   switch (kind) {
-    case FastenerKind::Screw: {
-      const bool isNamed = says(said, body, {StandardPart::Screw, StandardPart::SetScrew});
-      return role.shaft && (role.screwed || isNamed || shapes.turned(body)->drive.kind != DriveKind::None);
-    }
+    case FastenerKind::Screw: return isScrewByItself(shapes, said, body) || (role.shaft && role.screwed);
     case FastenerKind::Pin: return role.shaft;
     case FastenerKind::Nut: return role.hole && isNut(shapes, said, body);
     case FastenerKind::Washer: return role.touches;

@@ -12,8 +12,8 @@
 namespace glissade {
 
 /// The kind of each body by its shape (fastener_shape.h), its contacts, and its name where these leave it open:
-/// - screw: a shaft in a hole, with a drive, in a thread, in a nut, with a countersunk head, or with the name of a
-/// screw
+/// - screw: it has a drive, the head of a cap screw or the name of a screw, whatever it touches; or it is a shaft in a
+/// thread, in a nut or in a countersink
 /// - nut: on a shaft, with the width of a nut (evidence/nut_size.h) or with the name of a nut
 /// - washer: a flat ring that touches something
 /// - pin: a shaft in a hole, without a head, not longer than ten diameters

@@ -30,8 +30,27 @@ Holding::Holding(const SequenceQuestion& question) : question_(question), initia
 bool Holding::isInAir(const BodyGroup& group, const BodySet& remaining) const {
   const LiaisonGraph* graph = question_.liaisons;
   if (graph == nullptr || graph->liaisons().empty()) return false;
+  const BodySet reached = reachedFromBase(remaining);
   return std::none_of(group.begin(), group.end(),
-                      [&](std::size_t body) { return isAnyThere(graph->neighboursOf(body), remaining); });
+                      [&](std::size_t body) { return isAnyThere(graph->neighboursOf(body), reached); });
+}
+
+/// The bodies of `there` that a chain of contacts and joints between them connects to the base.
+BodySet Holding::reachedFromBase(const BodySet& there) const {
+  BodySet reached(there.size(), false);
+  BodyGroup open;
+  const auto reach = [&](std::size_t body) {
+    if (!there[body] || reached[body]) return;
+    reached[body] = true;
+    open.push_back(body);
+  };
+  for (const std::size_t body : bodiesIn(question_.staying)) reach(body);
+  while (!open.empty()) {
+    const std::size_t body = open.back();
+    open.pop_back();
+    for (const std::size_t other : question_.liaisons->neighboursOf(body)) reach(other);
+  }
+  return reached;
 }
 
 std::size_t Holding::unfastened(const BodySet& remaining) const {

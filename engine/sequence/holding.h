@@ -12,8 +12,8 @@ class Holding {
  public:
   explicit Holding(const SequenceQuestion& question);
 
-  /// True if no body of the group touches a body of `remaining`, or is joined to one. In assembly, such a group is put
-  /// into the air. Always false where contacts are not known.
+  /// True if no chain of contacts and joints between bodies of `remaining` holds the group to the base. In assembly,
+  /// such a group is put into the air. Always false where contacts are not known.
   bool isInAir(const BodyGroup& group, const BodySet& remaining) const;
   /// Number of bodies of `remaining` that screws, nuts, threads and pins joined to the base at the beginning, directly
   /// or through others, and no longer do.
@@ -23,6 +23,7 @@ class Holding {
 
  private:
   BodySet joinedToBase(const BodySet& there) const;
+  BodySet reachedFromBase(const BodySet& there) const;
 
   const SequenceQuestion& question_;
   BodySet initial_;                      ///< bodies that are there at the beginning

@@ -179,25 +179,23 @@ class RunMover {
   RunMover(std::vector<std::size_t> order, const OrderQuestion& question, const StopToken& stop)
       : question_(question), stop_(stop), order_(std::move(order)) {}
 
+  /// Asks all moves in turn, until each of them was asked after the last one that reduced the cost.
   std::vector<std::size_t> run() {
-    while (!stop_.stopRequested() && moveOne()) {
+    const std::size_t count = order_.size();
+    const std::size_t longest = std::min(kMostMoved, count - 1);
+    const std::size_t moves = longest * count * count;
+    for (std::size_t next = 0, without = 0; without < moves; next = (next + 1) % moves, ++without) {
+      if (asked_ >= kMostAsked || stop_.stopRequested()) break;
+      const std::size_t length = 1 + next / (count * count);
+      const std::size_t from = next / count % count;
+      const std::size_t to = next % count;
+      const bool isMove = to != from && from + length <= count && to + length <= count;
+      if (isMove && move(from, length, to)) without = 0;
     }
     return std::move(order_);
   }
 
  private:
-  bool moveOne() {
-    for (std::size_t length = 1; length <= std::min(kMostMoved, order_.size() - 1); ++length) {
-      for (std::size_t from = 0; from + length <= order_.size(); ++from) {
-        for (std::size_t to = 0; to + length <= order_.size(); ++to) {
-          if (asked_ >= kMostAsked || stop_.stopRequested()) return false;
-          if (to != from && move(from, length, to)) return true;
-        }
-      }
-    }
-    return false;
-  }
-
   /// Moves the run to this place; true if the order costs less.
   bool move(std::size_t from, std::size_t length, std::size_t to) {
     std::vector<std::size_t> moved = order_;
@@ -210,10 +208,8 @@ class RunMover {
     const std::size_t first = std::min(from, to);
     const std::size_t end = std::min(std::max(from, to) + length + 1, order_.size());
     if (!isAllowed(moved, first, end)) return false;
-    const double before = costBetween(order_, first, end, question_.cost);
-    if (question_.atLeast && costBetween(moved, first, end, question_.atLeast) >= before - question_.leastGain)
+    if (!costsLess(moved, first, end, costBetween(order_, first, end, question_.cost) - question_.leastGain))
       return false;
-    if (costBetween(moved, first, end, question_.cost) >= before - question_.leastGain) return false;
     order_ = std::move(moved);
     return true;
   }
@@ -238,6 +234,21 @@ class RunMover {
     return true;
   }
 
+  /// True if the steps between the places cost less than the limit. Bounds of all steps are added first; then one
+  /// after the other is replaced by the cost of its step, while the sum is below the limit.
+  bool costsLess(const std::vector<std::size_t>& order, std::size_t first, std::size_t end, double limit) {
+    if (!question_.atLeast) return costBetween(order, first, end, question_.cost) < limit;
+    double sum = costBetween(order, first, end, question_.atLeast);
+    CarriedOut done = doneBefore(order, first);
+    for (std::size_t place = first; place < end && sum < limit; ++place) {
+      const std::size_t* last = place == 0 ? nullptr : &order[place - 1];
+      sum += question_.cost(order[place], last, done) - question_.atLeast(order[place], last, done);
+      done[order[place]] = true;
+      ++asked_;
+    }
+    return sum < limit;
+  }
+
   template <class Cost>
   double costBetween(const std::vector<std::size_t>& order, std::size_t first, std::size_t end, const Cost& cost) {
     CarriedOut done = doneBefore(order, first);
@@ -251,7 +262,7 @@ class RunMover {
   }
 
   static constexpr std::size_t kMostMoved = 12;
-  static constexpr std::size_t kMostAsked = 100000;
+  static constexpr std::size_t kMostAsked = 400000;
 
   const OrderQuestion& question_;
   const StopToken& stop_;

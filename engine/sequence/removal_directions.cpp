@@ -58,4 +58,20 @@ double wayOutOf(const Box3& inner, const Box3& outer, const Vector3& direction, 
   return least;
 }
 
+double lengthBeside(const Box3& box, const std::vector<Box3>& others, const std::vector<Vector3>& ways) {
+  double length = 0.0;
+  Vector3 moved = Vector3::Zero();
+  for (const Vector3& way : ways) {
+    const double whole = way.norm();
+    if (whole == 0.0) continue;
+    const Box3 own(box.min() + moved, box.max() + moved);
+    double beside = 0.0;
+    for (const Box3& other : others) beside = std::max(beside, wayOutOf(own, other, way / whole, 0.0));
+    length += std::min(beside, whole);
+    if (beside <= whole) break;
+    moved += way;
+  }
+  return length;
+}
+
 }  // namespace glissade

@@ -18,4 +18,8 @@ double leavingMargin(double radius);
 /// The shortest displacement along the direction, metres, that moves the inner box out of the outer one by the margin.
 double wayOutOf(const Box3& inner, const Box3& outer, const Vector3& direction, double margin);
 
+/// How far a box moves along these displacements, one after the other, until it is beside none of the other boxes,
+/// metres: a part slides that far along what it touches. 0: there is no other box.
+double lengthBeside(const Box3& box, const std::vector<Box3>& others, const std::vector<Vector3>& ways);
+
 }  // namespace glissade

@@ -12,6 +12,8 @@ namespace glissade {
 namespace {
 
 constexpr double kSameLine = 1.0 - 1e-9;
+/// Slides that differ by less than this share of the group's size count as equal.
+constexpr double kSameSlide = 0.05;
 
 }  // namespace
 
@@ -29,7 +31,9 @@ void StraightRemoval::learn(const BodyGroup& group, const std::vector<PathPoint>
 RemovalAnswer StraightRemoval::tryRemoval(const BodyGroup& group, const BodySet& present, const StopToken& stop) {
   std::set<std::size_t> blocking;
   const BodySet others = without(present, group);
-  for (const Vector3& direction : directionsOf(group)) {
+  std::vector<Vector3> directions = directionsOf(group);
+  sortBySlide(group, others, directions);
+  for (const Vector3& direction : directions) {
     const bool allMay =
         std::all_of(group.begin(), group.end(), [&](std::size_t body) { return worlds_.mayBegin(direction, body); });
     if (!allMay) continue;
@@ -50,6 +54,28 @@ RemovalAnswer StraightRemoval::tryRemoval(const BodyGroup& group, const BodySet&
     if (blocker) blocking.insert(*blocker);
   }
   return Refused{{blocking.begin(), blocking.end()}, false};
+}
+
+/// Sorts by the length on which the group slides along the bodies of `others` that it fits with, the shortest first.
+void StraightRemoval::sortBySlide(const BodyGroup& group, const BodySet& others, std::vector<Vector3>& directions) {
+  double size = 0.0;
+  for (const std::size_t body : group) size = std::max(size, worlds_.boxOf(body).diagonal().norm());
+  const auto slideAlong = [&](const Vector3& direction) {
+    double slide = 0.0;
+    for (const std::size_t body : group) {
+      std::vector<Box3> touched;
+      for (const Fit& fit : fits_.fitsOf(body)) {
+        if (others[fit.obstacle]) touched.push_back(worlds_.boxOf(fit.obstacle));
+      }
+      slide = std::max(slide, lengthBeside(worlds_.boxOf(body), touched, {lineAlong(body, direction).way}));
+    }
+    return std::llround(slide / (kSameSlide * size));
+  };
+  std::vector<std::pair<long long, Vector3>> sorted;
+  for (const Vector3& direction : directions) sorted.emplace_back(slideAlong(direction), direction);
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& one, const auto& other) { return one.first < other.first; });
+  std::transform(sorted.begin(), sorted.end(), directions.begin(), [](const auto& each) { return each.second; });
 }
 
 std::vector<BodyGroup> StraightRemoval::groups(const GroupQuestion& question,

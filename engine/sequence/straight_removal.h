@@ -24,7 +24,7 @@ class StraightRemoval {
   StraightRemoval(const AssembledProduct& product, const ProductFits& fits, MotionWorlds& worlds,
                   const ThreadDemands* threads);
 
-  /// See RemovalTrial::tryRemoval().
+  /// See RemovalTrial::tryRemoval(). Of free lines, that along which the group slides least along what it touches.
   RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, const StopToken& stop);
   /// See RemovalTrial::groupsAlongLines(). `links`: pairs of present bodies; the second one leaves only together with
   /// the first one.
@@ -54,6 +54,7 @@ class StraightRemoval {
   Line& lineAlong(std::size_t body, const Vector3& direction);
   Line newLine(std::size_t body, const Box3& others, const Vector3& direction) const;
   std::vector<Vector3> directionsOf(const BodyGroup& group);
+  void sortBySlide(const BodyGroup& group, const BodySet& others, std::vector<Vector3>& directions);
   std::optional<std::size_t> blockerOf(const BodyGroup& group, const Vector3& direction, const BodySet& others,
                                        const StopToken& stop);
   std::optional<std::size_t> blockerOf(std::size_t body, Line& line, const BodySet& others, const StopToken& stop);
