@@ -148,6 +148,9 @@ void PlanPrinter::print(const AssemblyPlan& plan, double seconds) const {
   printSteps(plan.steps, "", "");
   printLines(plan.lines, plan.steps.size(), "", "  ");
   printStuck(plan.stuck, "");
+  if (const std::string isolated = words_.isolated(plan, product_); !isolated.empty()) {
+    console_.print(Message(isolated));
+  }
   if (plan.parts() == 0) {
     console_.print(
         GLISSADE_TEXT("nothing can be removed: every body is fixed as base, or a joint holds it to the base. See "

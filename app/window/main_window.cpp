@@ -34,6 +34,7 @@
 #include "widgets/product/box_selection.h"
 #include "widgets/product/document_controller.h"
 #include "widgets/product/variants_controller.h"
+#include "widgets/run/counts_panel.h"
 #include "widgets/run/difficulty_controller.h"
 #include "widgets/run/recording_controller.h"
 #include "widgets/run/refusal_controller.h"
@@ -43,6 +44,7 @@
 #include "widgets/sequence/sequence_controller.h"
 #include "widgets/sequence/step_camera.h"
 #include "widgets/sequence/times_controller.h"
+#include "widgets/studies/paper_comparison.h"
 #include "widgets/studies/study_controller.h"
 #include "widgets/view/display_controller.h"
 #include "widgets/view/named_views_controller.h"
@@ -116,6 +118,7 @@ void MainWindow::addParts() {
   connect(devices, &DeviceController::cameraMoved, view, &ViewController::publishOperatorFrame);
   addDeviceCommands(bench_, *devices);
   auto* run = new RunController(bench_);
+  connect(new PaperComparison(bench_), &PaperComparison::compared, run->countsPanel(), &CountsPanel::setComparison);
   auto* refusal = new RefusalController(bench_);
   auto* measure = new MeasureController(bench_);
   connect(measure, &MeasureController::framePicked, assembly, &AssemblyController::placeByFrame);

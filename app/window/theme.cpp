@@ -69,7 +69,7 @@ QString styleSheetFrom(const Tones& tones) {
              "QStatusBar { border-top: 1px solid %2; }"
              "QStatusBar::item { border: none; }"
              "QStatusBar QToolButton { padding: 0px 6px; }"
-             "#welcome QToolButton, #tour QToolButton { padding: 5px 10px; border: 1px solid %2; background: %3; }"
+             "#welcome QToolButton, #tour QToolButton { padding: 5px 10px; border: 1px solid %5; background: %3; }"
              "#welcome QToolButton:hover, #tour QToolButton:hover { border: 1px solid %4; }"
              "#welcome QToolButton:focus, #tour QToolButton:focus { border: 1px solid %4; }"
              "#tour { background: %1; border: 1px solid %2; border-top: 4px solid %4; border-radius: 4px; }"

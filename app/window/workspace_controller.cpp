@@ -5,21 +5,9 @@
 #include <QMenuBar>
 #include <QToolButton>
 
-#include <algorithm>
-
-#include "engine/import/step_import.h"
+#include "engine/files/scenario_product.h"
 
 namespace glissade {
-namespace {
-
-/// Whether a scenario is about a product: parts of a CAD file, or a part that is to be removed.
-bool isAboutProduct(const Scenario& scenario) {
-  const auto isCad = [](const Asset& asset) { return isCadFile(asset.path); };
-  return std::holds_alternative<GoalOut>(scenario.goal) ||
-         std::any_of(scenario.assets.begin(), scenario.assets.end(), isCad);
-}
-
-}  // namespace
 
 WorkspaceController::WorkspaceController(const Workbench& bench, PanelDocks& docks)
     : QObject(&bench.window), bench_(bench), docks_(docks) {

@@ -7,6 +7,7 @@
 #include "engine/files/forbidden_places_of.h"
 #include "engine/files/judged_product.h"
 #include "engine/files/plan_file.h"
+#include "engine/planning/coarse/prohibitions.h"
 
 namespace glissade::api {
 namespace {
@@ -86,8 +87,13 @@ Verdict judged(check::Question question, const Path& path, const CheckOptions& o
   return verdictOn(check::judgePath(question, points, watchOf(options)), question);
 }
 
+void forbid(const ForbiddenPlaces& places, check::Question& question) {
+  for (const ForbiddenPlace& place : places) question.forbidden.push_back({place.name, place.boxes});
+  question.product.forbidsPlaces = !question.forbidden.empty();
+}
+
 /// The question of a problem in memory, as the judge takes it.
-check::Question questionOf(const Problem::Impl& given) {
+Result<check::Question> questionOf(const Problem::Impl& given, const StopToken& stop) {
   const CollisionWorld& world = *given.problem.world;
   check::Question question;
   question.product.bodies = judgedBodies(world.obstacles());
@@ -97,6 +103,9 @@ check::Question questionOf(const Problem::Impl& given) {
   question.workspace = given.problem.bounds;
   question.requiredClearance = given.parameters[ParameterId::RequiredClearance];
   question.contactGap = given.parameters[ParameterId::ContactGap];
+  const auto forbidden = Prohibitions().of(given.problem, stop);
+  if (!forbidden) return publicDiagnostic(forbidden.error());
+  if (*forbidden) forbid((*forbidden)->places(), question);
   return question;
 }
 
@@ -117,15 +126,18 @@ Result<Verdict> check(const Scenario& scenario, const Path& path, const CheckOpt
     check::Question question = judgedQuestion(loaded);
     const auto places = forbiddenPlacesOf(loaded, loaded.scenario, options.stop);
     if (!places) return publicDiagnostic(places.error());
-    for (const ForbiddenPlace& place : *places) question.forbidden.push_back({place.name, place.boxes});
-    question.product.forbidsPlaces = !question.forbidden.empty();
+    forbid(*places, question);
     return judged(std::move(question), path, options);
   });
 }
 
 Result<Verdict> check(const Problem& problem, const Path& path, const CheckOptions& options) {
   if (const auto fault = faultOf(options)) return *fault;
-  return attempt<Verdict>(kJudging, [&] { return Result<Verdict>(judged(questionOf(problem.impl()), path, options)); });
+  return attempt<Verdict>(kJudging, [&]() -> Result<Verdict> {
+    auto question = questionOf(problem.impl(), options.stop);
+    if (!question) return question.error();
+    return judged(*question, path, options);
+  });
 }
 
 Result<Verdict> check(const Product& product, const AssemblyPlan& plan, const CheckOptions& options) {

@@ -40,7 +40,7 @@ Result<Product> load(const std::string& file, const LoadOptions& options) {
     if (const auto left = leaveOut(options.without, *loaded); !left) return publicDiagnostic(left.error());
     if (loaded->product.bodies.size() < 2) return wrongArgument("without", "leaves less than two bodies");
     fitOptionsOf(options).applyTo(loaded->product.fits);
-    return valueOf<Product>({std::move(*loaded), file});
+    return valueOf<Product>({std::move(*loaded), file, options.deflection});
   });
 }
 

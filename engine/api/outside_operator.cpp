@@ -1,6 +1,5 @@
 #include "engine/api/outside_operator.h"
 
-#include <stdexcept>
 #include <utility>
 
 #include "engine/api/values.h"
@@ -14,7 +13,7 @@ class OutsideOperator final : public OperatorDevice {
 
   glissade::Pose advance(double dt, const OperatorView& view, const Box3& bounds) override {
     const Pose shown = hand_({publicPose(view.q_device), dt, view.clearance(), view.contactNodes});
-    if (const auto fault = faultOfPose(shown, "the operator's pose")) throw std::runtime_error(fault->text());
+    if (const auto fault = faultOfPose(shown, "the operator's pose")) throw OutsideFault(fault->text());
     glissade::Pose held = enginePose(shown);
     held.position = held.position.cwiseMax(bounds.min()).cwiseMin(bounds.max());
     return held;

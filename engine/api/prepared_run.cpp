@@ -5,6 +5,7 @@
 
 #include "engine/api/outside_operator.h"
 #include "engine/api/outside_planner.h"
+#include "engine/api/outside_sampler.h"
 #include "engine/api/parameter_map.h"
 #include "engine/operator/simulated_operators.h"
 #include "engine/session/session_with_planners.h"
@@ -19,6 +20,8 @@ Result<PreparedRunPtr> prepared(SessionConfig given, const std::vector<glissade:
   if (!options.strategy.empty()) given.plannerId = options.strategy;
   if (options.seed) given.seed = *options.seed;
   if (auto fault = setAll(options.parameters, given.parameters)) return *std::move(fault);
+  if (options.sampler)
+    given.problem.source = sourceOf(options.sampler, valueOf<Problem>({given.problem, given.parameters}));
   auto run = std::make_shared<PreparedRun>(PreparedRun{given.problem});
   PlannerRegistry planners = makePlannerRegistry();
   if (options.planners != nullptr) {

@@ -6,7 +6,7 @@
 namespace glissade::api {
 
 Result<Product> Product::make(const std::vector<Body>& bodies) {
-  auto placed = engineBodies(bodies, "bodies");
+  auto placed = engineBodies(bodies, Mobility::Mobile, "bodies");
   if (!placed) return placed.error();
   if (placed->size() < 2) return wrongArgument("bodies", "are less than two");
   return attempt<Product>("making a product", [&] {

@@ -26,7 +26,8 @@ class ReportingHost final : public SequenceHost {
   ThreadTeam& team_;
 };
 
-Result<AssemblyPlan> planned(const ProductFile& loaded, const SequenceOptions& options) {
+Result<AssemblyPlan> planned(const Product::Impl& given, const SequenceOptions& options) {
+  const ProductFile& loaded = given.loaded;
   const AssembledProduct& product = loaded.product;
   const StopToken stop = withTimeLimit(options.stop, options.timeLimit);
   SequenceDemands demands = loaded.demands;
@@ -46,6 +47,7 @@ Result<AssemblyPlan> planned(const ProductFile& loaded, const SequenceOptions& o
   if (!plan) return publicDiagnostic(plan.error());
   const bool timeIsOver = plan->end == glissade::PlanEnd::Interrupted && !options.stop.stopRequested();
   if (timeIsOver) plan->end = glissade::PlanEnd::TimeLimit;
+  plan->deflection = given.deflection;
   return valueOf<AssemblyPlan>({std::move(*plan)});
 }
 
@@ -54,7 +56,7 @@ Result<AssemblyPlan> planned(const ProductFile& loaded, const SequenceOptions& o
 Result<AssemblyPlan> sequence(const Product& product, const SequenceOptions& options) {
   // The negation refuses NaN, too.
   if (!(options.timeLimit >= 0.0)) return wrongArgument("timeLimit", "is below 0");
-  return attempt<AssemblyPlan>("planning a sequence", [&] { return planned(product.impl().loaded, options); });
+  return attempt<AssemblyPlan>("planning a sequence", [&] { return planned(product.impl(), options); });
 }
 
 }  // namespace glissade::api

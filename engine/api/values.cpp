@@ -98,7 +98,8 @@ std::optional<Diagnostic> faultOfPoses(const std::vector<Pose>& poses, const std
   return poses.empty() ? std::optional(wrongArgument(argument, "is empty")) : std::nullopt;
 }
 
-Result<std::vector<RigidBody>> engineBodies(const std::vector<Body>& bodies, const std::string& argument) {
+Result<std::vector<RigidBody>> engineBodies(const std::vector<Body>& bodies, Mobility mobility,
+                                            const std::string& argument) {
   std::vector<RigidBody> all;
   std::set<std::string> ids;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -108,7 +109,7 @@ Result<std::vector<RigidBody>> engineBodies(const std::vector<Body>& bodies, con
     if (!ids.insert(body.id).second) return wrongArgument(here + ".id", "is the id of another body: " + body.id);
     if (const auto fault = faultOfPose(body.X_WB, here + ".X_WB")) return *fault;
     const std::string& name = body.name.empty() ? body.id : body.name;
-    all.push_back({BodyId(body.id), name, Mobility::Mobile, body.mesh.impl().mesh, enginePose(body.X_WB)});
+    all.push_back({BodyId(body.id), name, mobility, body.mesh.impl().mesh, enginePose(body.X_WB)});
   }
   return all;
 }

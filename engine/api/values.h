@@ -44,6 +44,7 @@ struct Scenario::Impl {
 struct Product::Impl {
   ProductFile loaded;
   std::string file;
+  double deflection = 0.0;  ///< with which the file was read, metres; 0: by the size of each part
 };
 
 struct Path::Impl {
@@ -83,7 +84,8 @@ std::optional<Diagnostic> faultOfPose(const Pose& pose, const std::string& argum
 std::optional<Diagnostic> faultOfPoses(const std::vector<Pose>& poses, const std::string& argument);
 
 /// The bodies as the engine has them. Errors: see World::make().
-Result<std::vector<RigidBody>> engineBodies(const std::vector<Body>& bodies, const std::string& argument);
+Result<std::vector<RigidBody>> engineBodies(const std::vector<Body>& bodies, Mobility mobility,
+                                            const std::string& argument);
 
 /// The result of `work`, or the diagnostic of the exception that leaves it. `doing`: see
 /// currentExceptionAsDiagnostic().

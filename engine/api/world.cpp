@@ -48,7 +48,7 @@ Result<double> Query::freeShare(const Pose& from, const Pose& to, double step, c
 }
 
 Result<World> World::make(const std::vector<Body>& obstacles, const Mesh& object) {
-  auto bodies = engineBodies(obstacles, "obstacles");
+  auto bodies = engineBodies(obstacles, Mobility::Static, "obstacles");
   if (!bodies) return bodies.error();
   return attempt<World>("preparing the world", [&] {
     return Result<World>(valueOf<World>({CollisionWorld::build(*bodies, object.impl().mesh)}));

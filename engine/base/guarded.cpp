@@ -28,6 +28,8 @@ Diagnostic describe(const Message& doing) {
     throw;
   } catch (const std::bad_alloc& error) {
     return outOfMemory(doing, error.what());
+  } catch (const OutsideFault& fault) {
+    return {ErrorKind::Usage, "", "", Message(fault.what()), {}};
   } catch (const std::exception& error) {  // includes the exceptions of OMPL, JSON and CLI11
     return internalError(doing, Message(error.what()));
   } catch (...) {

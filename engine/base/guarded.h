@@ -1,14 +1,23 @@
 #pragma once
 
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "engine/base/diagnostic.h"
 
 namespace glissade {
 
+/// The fault of a function from outside of the library. It ends the work that called the function, and is a Usage error
+/// whose reason is its text.
+class OutsideFault : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// The exception that is being handled, as a diagnostic. `doing` completes "an error occurred while ...", for
-/// example "planning". Exhausted memory is LimitReached, everything else is Internal. Call it in a catch block only.
+/// example "planning". Exhausted memory is LimitReached, an OutsideFault is Usage,
+/// everything else is Internal. Call it in a catch block only.
 Diagnostic currentExceptionAsDiagnostic(CatalogueText doing) noexcept;
 Diagnostic currentExceptionAsDiagnostic(const Message& doing) noexcept;
 

@@ -158,9 +158,10 @@ std::vector<Line> linesIn(const JsonCursor& at, std::uint64_t version) {
 }
 
 Plan planIn(const JsonCursor& at) {
-  at.allowOnly({"format", "version", "program",  "product", "strategy",  "seed",   "deflection_m",
-                "parts",  "removed", "apart",    "end",     "certified", "bodies", "staying",
-                "steps",  "stuck",   "refusals", "waiting", "sequence",  "lines",  "accepted_clashes"});
+  at.allowOnly({"format",       "version", "program",  "product",         "strategy", "seed",
+                "deflection_m", "parts",   "removed",  "apart",           "end",      "certified",
+                "bodies",       "staying", "steps",    "stuck",           "refusals", "waiting",
+                "sequence",     "lines",   "isolated", "accepted_clashes"});
   if (at.at("format").text() != kPlanFormatName) at.at("format").fail(GLISSADE_TEXT("is not \"glissade-plan\""));
   const std::uint64_t version = at.at("version").wholeNumber();
   if (version != 1 && version != 2)

@@ -91,6 +91,13 @@ std::map<BodyId, std::size_t> stepsByBody(const AssemblyPlan& plan) {
   return steps;
 }
 
+/// The first step that brings a part of the row; the base is there before, and parts without a step come last.
+std::size_t firstUseOf(const PartsListRow& row) {
+  constexpr std::size_t kNever = static_cast<std::size_t>(-1);
+  if (row.hasBase) return 0;
+  return row.steps.empty() ? kNever : row.steps.front();
+}
+
 }  // namespace
 
 std::vector<PartsListRow> partsList(const AssemblyPlan& plan, const AssembledProduct& product) {
@@ -132,7 +139,7 @@ std::vector<PartsListRow> partsList(const AssemblyPlan& plan, const AssembledPro
     row.steps.erase(std::unique(row.steps.begin(), row.steps.end()), row.steps.end());
   }
   std::stable_sort(rows.begin(), rows.end(), [](const PartsListRow& a, const PartsListRow& b) {
-    return a.designation < b.designation;  // parts without a designation come first
+    return std::tuple(firstUseOf(a), a.name) < std::tuple(firstUseOf(b), b.name);
   });
   return rows;
 }

@@ -24,8 +24,8 @@ struct PartsListRow {
 };
 
 /// The parts list of a plan. Fasteners of one designation are one row, and so are other parts of one shape and name. A
-/// counter at the end of a name is ignored: "nut-1" and "nut-2" are the row "nut". Parts come first, then fasteners by
-/// their designation. Precondition: the plan is about the product.
+/// counter at the end of a name is ignored: "nut-1" and "nut-2" are the row "nut". Rows are in the order of their first
+/// use in the assembly, then of their names. Precondition: the plan is about the product.
 std::vector<PartsListRow> partsList(const AssemblyPlan& plan, const AssembledProduct& product);
 
 /// The steps that bring the parts of a row: "base, 3, 7"; "no step" where one has none.

@@ -83,6 +83,9 @@ class Composer {
                                        "were not made into bodies: %1."),
                          {listOf(content_.missing)})});
     }
+    if (const std::string isolated = plain_.isolated(plan, content_.product); !isolated.empty()) {
+      report_.blocks.emplace_back(ReportText{isolated});
+    }
     for (const std::string& condition : content_.conditions) {
       report_.blocks.emplace_back(ReportText{say(GLISSADE_TEXT("The plan is valid only if %1."), {condition})});
     }

@@ -76,6 +76,12 @@ std::string PlanWords::direction(const Vector3& direction) const {
   return "(" + decimals(direction.x(), 2) + ", " + decimals(direction.y(), 2) + ", " + decimals(direction.z(), 2) + ")";
 }
 
+std::string PlanWords::allOf(const std::vector<BodyId>& ids, const AssembledProduct& product) const {
+  std::string text;
+  for (const BodyId& id : ids) text += (text.empty() ? "" : ", ") + shownNameOf(id, product);
+  return text;
+}
+
 /// Some of the names, for example "rod, bolt and 3 more".
 std::string PlanWords::someOf(const std::vector<BodyId>& ids, const AssembledProduct& product) const {
   constexpr std::size_t kNamed = 2;
@@ -123,6 +129,15 @@ std::string PlanWords::standing(const AssemblyStep& step, const AssembledProduct
   return falling.empty() ? std::string() : words_(GLISSADE_TEXT("hold %1"), {someOf(falling, product)});
 }
 
+std::string PlanWords::support(const AssemblyStep& step, const AssembledProduct& product, PlanOrder order) const {
+  const std::vector<BodyId> falling = step.falling();
+  if (falling.empty()) return {};
+  return words_(order == PlanOrder::Assembly
+                    ? GLISSADE_TEXT("Hold until this step is done, because nothing supports it before: %1.")
+                    : GLISSADE_TEXT("Hold from this step on, because nothing supports it any more: %1."),
+                {allOf(falling, product)});
+}
+
 std::vector<std::string> PlanWords::violations(const AssemblyStep& step, const AssembledProduct& product) const {
   std::vector<std::string> texts;
   for (const StepViolation& violation : step.violates) {
@@ -142,6 +157,11 @@ std::vector<std::string> PlanWords::violations(const AssemblyStep& step, const A
     }
   }
   return texts;
+}
+
+std::string PlanWords::isolated(const AssemblyPlan& plan, const AssembledProduct& product) const {
+  if (plan.isolated.empty()) return {};
+  return words_(GLISSADE_TEXT("Touches nothing and may lie beside the product: %1."), {allOf(plan.isolated, product)});
 }
 
 std::vector<std::string> PlanWords::joints(const StepMotion& motion, const AssembledProduct& product,

@@ -36,6 +36,8 @@ class PlanWords {
   std::string direction(const Vector3& direction) const;
   /// The bodies that stay.
   std::string base(const AssemblyPlan& plan, const AssembledProduct& product) const;
+  /// A warning of the bodies that touch nothing; empty: there are none.
+  std::string isolated(const AssemblyPlan& plan, const AssembledProduct& product) const;
   /// The path of a motion: "up (+Z), 62.0 mm". In the order of assembly the reversed path is described.
   std::string path(const StepMotion& motion, PlanOrder order) const;
   /// The paths of the motions of a step.
@@ -53,6 +55,8 @@ class PlanWords {
   std::string tool(const StepMotion& motion, const AssembledProduct& product) const;
   /// The parts that must be held: "hold rod, bolt and 3 more"; empty where no part falls.
   std::string standing(const AssemblyStep& step, const AssembledProduct& product) const;
+  /// All these parts with the reason, as a sentence.
+  std::string support(const AssemblyStep& step, const AssembledProduct& product, PlanOrder order) const;
   /// The rules that a step violates at the place that a person has given it, one entry for each: "nuts still on it:
   /// nut, nut#2".
   std::vector<std::string> violations(const AssemblyStep& step, const AssembledProduct& product) const;
@@ -64,6 +68,7 @@ class PlanWords {
                     PlanOrder order) const;
   std::string turnedPath(const StepMotion& motion, PlanOrder order) const;
   std::string nameOf(ToolKind kind) const;
+  std::string allOf(const std::vector<BodyId>& ids, const AssembledProduct& product) const;
   std::string someOf(const std::vector<BodyId>& ids, const AssembledProduct& product) const;
 
   DocumentWords words_;

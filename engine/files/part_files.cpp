@@ -252,9 +252,13 @@ Result<std::vector<MeasuredPart>> partsInFile(const std::string& path, GeometryC
                                               bool apart) {
   PartFile whole{path, PartRole::Static, 1.0, UpAxis::Z};
   whole.groups = apart && mayHaveGroups(path);
-  whole.asOne = !apart && isCadFile(path);
-  const auto geometry = readPart(whole, read, stop);
+  auto geometry = readPart(whole, read, stop);
   if (!geometry) return geometry.error();
+  if (!apart && isCadFile(path) && !areSolidsOfOnePart((*geometry)->parts)) {
+    whole.asOne = true;
+    geometry = readPart(whole, read, stop);
+    if (!geometry) return geometry.error();
+  }
   if (!isCadFile(path) && !whole.groups) {
     const std::vector<Occurrence>& solids = (*geometry)->parts;
     return std::vector<MeasuredPart>{{"", boxOf(**geometry), solids.empty() ? Occurrence() : solids.front()}};

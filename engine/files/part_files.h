@@ -61,8 +61,8 @@ struct MeasuredPart {
   Box3 inFile;
   Occurrence solid{};  ///< in the units and axes of the file; that of the first body where the part has several
 };
-/// The parts of a CAD file; the single part of another file. `apart`: each solid of a part with several solids, and
-/// each group of an OBJ file, is a part. `read` and errors are those of readPart().
+/// The parts of a CAD file, or the solids of its only part; the single part of another file. `apart`: each solid of a
+/// part with several solids, and each group of an OBJ file, is a part. `read` and errors are those of readPart().
 Result<std::vector<MeasuredPart>> partsInFile(const std::string& path, GeometryCache& read, const StopToken& stop = {},
                                               bool apart = false);
 

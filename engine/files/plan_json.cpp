@@ -364,6 +364,9 @@ void describe(Archive& plan, Type<AssemblyPlan> /*type*/) {
                 "Motions of a plan that has not ended: they were found and wait, because bodies would fall.");
   plan.optional("lines", &AssemblyPlan::lines, kObjects<SubassemblyLine>,
                 "The disassembly of the groups that have left, by step. Absent: none.");
+  plan.optional("isolated", &AssemblyPlan::isolated, kIds,
+                "Bodies that neither touch another body nor are joined to one: they may lie beside the product. "
+                "Absent: none.");
   plan.optional("accepted_clashes", kAcceptedClashes, kObjects<AcceptedClash>,
                 "The accepted clashes that the motions need. They follow from the allowances. Absent: none.");
 }
@@ -428,12 +431,13 @@ class PlanCheck {
     }
   }
 
+  void expectKnown(const std::vector<BodyId>& ids, const JsonCursor& at) const {
+    for (std::size_t i = 0; i < ids.size(); ++i) expectKnown(ids[i], at.element(i));
+  }
+
  private:
   void expectKnown(const BodyId& id, const JsonCursor& at) const {
     if (known_.count(id) == 0) at.fail(GLISSADE_TEXT("is none of the plan's bodies"));
-  }
-  void expectKnown(const std::vector<BodyId>& ids, const JsonCursor& at) const {
-    for (std::size_t i = 0; i < ids.size(); ++i) expectKnown(ids[i], at.element(i));
   }
   /// `after`: a number of preceding steps, at most the number of steps so far.
   void expectBefore(std::size_t after, const JsonCursor& at) const {
@@ -506,6 +510,7 @@ void checkPlan(PlanDocument& document, const JsonCursor& at) {
   check.checkStuck(plan.stuck, at.at("stuck"));
   if (const auto lines = at.find("lines")) check.checkLines(plan.lines, *lines);
   check.checkRefusals(plan.refusals, at.at("refusals"));
+  if (const auto isolated = at.find("isolated")) check.expectKnown(plan.isolated, *isolated);
 }
 
 }  // namespace

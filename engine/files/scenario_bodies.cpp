@@ -26,6 +26,13 @@ std::vector<const BodyDescription*> allBodiesOf(const Scenario& scenario) {
   return all;
 }
 
+std::vector<std::string> shownLeftOut(const Scenario& scenario) {
+  std::vector<std::string> ids;
+  for (const BodyDescription* body : allBodiesOf(scenario)) ids.push_back(body->id.text());
+  const std::vector<std::string> shown = treeOf(scenario).labels(ids);
+  return {shown.end() - static_cast<std::ptrdiff_t>(scenario.leftOut.size()), shown.end()};
+}
+
 std::vector<const Geometry*> geometriesOf(const Scenario& scenario) {
   std::vector<const Geometry*> geometries;
   for (const BodyDescription* body : presentBodiesOf(scenario)) geometries.push_back(&body->geometry);

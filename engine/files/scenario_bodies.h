@@ -13,6 +13,9 @@ std::vector<const BodyDescription*> allBodiesOf(const Scenario& scenario);
 /// All bodies except those that are left out.
 std::vector<const BodyDescription*> presentBodiesOf(const Scenario& scenario);
 
+/// Displayed names of the bodies that are left out, in their order.
+std::vector<std::string> shownLeftOut(const Scenario& scenario);
+
 /// Geometries of all bodies.
 std::vector<const Geometry*> geometriesOf(const Scenario& scenario);
 

@@ -1,10 +1,18 @@
 #include "engine/files/scenario_product.h"
 
+#include <algorithm>
 #include <set>
 
 #include "engine/files/scenario_bodies.h"
+#include "engine/import/step_import.h"
 
 namespace glissade {
+
+bool isAboutProduct(const Scenario& scenario) {
+  const auto isCad = [](const Asset& asset) { return isCadFile(asset.path); };
+  return std::holds_alternative<GoalOut>(scenario.goal) ||
+         std::any_of(scenario.assets.begin(), scenario.assets.end(), isCad);
+}
 
 Product treeOf(const Scenario& scenario, const BodyGeometry& geometry) {
   std::vector<ProductBody> bodies;

@@ -38,9 +38,9 @@ std::filesystem::path folderOfThisCode(bool& isProgram) {
   return std::filesystem::canonical(file, error).parent_path();
 }
 
-/// The importing program of this name. It is in the folder that the environment names, beside this program, or, for the
-/// shared library, beside the library (a build folder) or in the folder of the installed programs.
-std::string importingProgram(const std::string& name) {
+}  // namespace
+
+std::string programFile(const std::string& name) {
   const char* const named = std::getenv(kProgramsFolder);
   if (named != nullptr && *named != '\0') return (std::filesystem::path(named) / name).string();
   bool isProgram = true;
@@ -49,6 +49,8 @@ std::string importingProgram(const std::string& name) {
   if (isProgram || std::filesystem::exists(folder / name, error)) return (folder / name).string();
   return (folder / GLISSADE_PROGRAMS_FROM_LIBRARY / name).lexically_normal().string();
 }
+
+namespace {
 
 /// True if each text names each argument at most once. Others could make a text of any length of a short message.
 bool cannotGrow(const Message& message) {
@@ -91,7 +93,7 @@ namespace {
 
 ChildCommand commandOf(const ImporterCall& call, std::string_view content) {
   ChildCommand command;
-  command.program = importingProgram(call.program);
+  command.program = programFile(call.program);
   command.arguments = call.arguments;
   command.input = content;
   command.environment = requiredEnvironment();

@@ -18,6 +18,10 @@ namespace glissade {
 /// program; for the shared library they are where it was installed.
 inline constexpr const char* kProgramsFolder = "GLISSADE_PROGRAMS";
 
+/// The file of one of our programs, which may be missing. It is in the folder that the environment names, beside this
+/// program, or, for the shared library, beside the library (a build folder) or in the folder of the installed programs.
+std::string programFile(const std::string& name);
+
 /// The call of an importing program for a file.
 struct ImporterCall {
   std::string program;                 ///< name

@@ -17,9 +17,7 @@ constexpr double kFreeGap = 0.1;
 
 /// The pose to which the object goes first on a free motion to another pose; nothing: none was found.
 std::optional<Pose> firstOf(const Pose& from, const Pose& to, double radius, CollisionQuery& object) {
-  const auto isFree = [&object, clear = kFreeGap * tolerance::kContactGap * radius](const Pose& a, const Pose& b) {
-    return object.checkMotion(a, b, clear, SeekViolation::Any, {}).status == CertificateStatus::Certified;
-  };
+  const auto isFree = [&object, radius](const Pose& a, const Pose& b) { return isFreeMotion(a, b, radius, object); };
   if (isFree(from, to)) return to;
   const double turn = angleBetween(from.orientation, to.orientation);
   const double move = (to.position - from.position).norm();
@@ -31,6 +29,11 @@ std::optional<Pose> firstOf(const Pose& from, const Pose& to, double radius, Col
 }
 
 }  // namespace
+
+bool isFreeMotion(const Pose& from, const Pose& to, double objectRadius, CollisionQuery& object) {
+  const double clear = kFreeGap * tolerance::kContactGap * objectRadius;
+  return object.checkMotion(from, to, clear, SeekViolation::Any, {}).status == CertificateStatus::Certified;
+}
 
 std::optional<Pose> reachableAhead(const std::vector<Pose>& way, const Pose& q, const Se3Metric& metric, double ahead,
                                    CollisionQuery& sight, CollisionQuery& object) {

@@ -16,7 +16,8 @@ Outcome check(const EnvironmentOptions& options, const Box3& workspace) {
                       GLISSADE_TEXT("Give it a size.")};
   }
   const double finest = side / (1 << Octree::kDeepest);
-  if (options.cellSize < 0.0 || (options.cellSize > 0.0 && options.cellSize < finest * (1.0 - 1e-9))) {
+  // The negation refuses NaN, too.
+  if (!(options.cellSize >= 0.0) || (options.cellSize > 0.0 && options.cellSize < finest * (1.0 - 1e-9))) {
     return refuse("cell_size", GLISSADE_TEXT("is too small for this workspace"),
                   {GLISSADE_TEXT("Give 0, or at least %1."), {std::to_string(finest)}});
   }

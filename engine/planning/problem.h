@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <variant>
@@ -29,6 +31,11 @@ struct SceneDescription {
   std::shared_ptr<const StrategyRules> rules;       ///< rules of the strategy "own"; null: those of "gts"
 };
 
+/// Draws configurations for one planner, on its thread.
+using ConfigurationDraw = std::function<Pose()>;
+/// Makes the draw of a planner with this seed. Any thread.
+using ConfigurationSource = std::function<ConfigurationDraw(std::uint64_t seed)>;
+
 /// A planning problem. Immutable; shared by threads.
 struct Problem {
   CollisionWorldPtr world;
@@ -37,6 +44,8 @@ struct Problem {
   Box3 bounds;               ///< bounds of the object's reference point, world frame
   SamplingRegionPtr region;  ///< region in which random configurations are drawn; null: the bounds
   SceneDescription scene;
+  /// Draws random configurations instead of RandomShooter where the problem has no region; empty: none.
+  ConfigurationSource source{};
 
   Se3Metric metric() const { return Se3Metric(world->objectRadius()); }
 };

@@ -4,7 +4,12 @@
 #include <numbers>
 
 namespace glissade {
+
 Pose RandomShooter::shoot() {
+  if (source_) {
+    if (!draw_) draw_ = source_(seed_);
+    return draw_();
+  }
   Pose q;
   if (region_) {
     q.position = region_->sample(stream_, bounds_);

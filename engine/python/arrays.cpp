@@ -93,6 +93,13 @@ std::vector<Pose> posesOf(const py::handle& values, const std::string& name) {
 
 py::array_t<double> arrayOf(const Vector3& vector) { return py::array_t<double>(3, vector.data()); }
 
+py::array_t<double> arrayOf(const std::vector<Vector3>& vectors) {
+  py::array_t<double> array({static_cast<py::ssize_t>(vectors.size()), py::ssize_t{3}});
+  double* row = array.mutable_data();
+  for (const Vector3& vector : vectors) row = std::copy(vector.data(), vector.data() + 3, row);
+  return array;
+}
+
 py::array_t<double> arrayOf(const Pose& pose) {
   py::array_t<double> array(kPoseNumbers);
   write(pose, array.mutable_data());

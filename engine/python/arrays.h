@@ -24,6 +24,8 @@ std::vector<Pose> posesOf(const py::handle& values, const std::string& name);
 
 /// An array of 3 numbers.
 py::array_t<double> arrayOf(const Vector3& vector);
+/// One row of 3 numbers for each vector.
+py::array_t<double> arrayOf(const std::vector<Vector3>& vectors);
 /// The 7 numbers x y z, quaternion x y z w.
 py::array_t<double> arrayOf(const Pose& pose);
 /// One row of 7 numbers for each pose.

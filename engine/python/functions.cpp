@@ -78,14 +78,15 @@ PlannerContext& running(const Context& context) {
 
 template <class Task>
 Run planned(const Task& task, const std::string& strategy, std::optional<std::uint64_t> seed, const py::object& hand,
-            const Parameters& parameters, const std::map<std::string, py::object>& planners,
+            const py::object& sampler, const Parameters& parameters, const std::map<std::string, py::object>& planners,
             const py::object& progress) {
   LongCall call;
   Planners outside;
   for (const auto& [id, search] : planners) valueOf(outside.add(id, plannerOf(search, call)));
   PlanOptions options{strategy, seed};
-  setOperator(
-      hand, [&call]() -> LongCall& { return call; }, options);
+  const auto during = [&call]() -> LongCall& { return call; };
+  setOperator(hand, during, options);
+  setSampler(sampler, during, options);
   options.parameters = parameters;
   options.planners = &outside;
   options.stop = call.stop();
@@ -101,11 +102,13 @@ template <class Task>
 void addPlan(py::module_& module) {
   module.def(
       "plan", &planned<Task>, py::arg("task"), py::kw_only(), py::arg("strategy") = "", py::arg("seed") = py::none(),
-      py::arg("operator") = "none", py::arg("parameters") = Parameters(),
+      py::arg("operator") = "none", py::arg("sampler") = py::none(), py::arg("parameters") = Parameters(),
       py::arg("planners") = std::map<std::string, py::object>(), py::arg("progress") = py::none(),
       "Plans a Scenario or a Problem and returns a Run with a certified path. `planners`: functions of a\n"
       "PlannerContext that return the poses of a path, by their ids. `operator`: the name of a simulated one, or a\n"
-      "function of a HandView that returns the next pose. `progress` gets RunCounts.");
+      "function of a HandView that returns the next pose. `sampler`: a function (problem, seed) that returns a "
+      "function\n"
+      "which draws a pose. `progress` gets RunCounts.");
 }
 
 void addPlanning(py::module_& module) {
@@ -174,6 +177,12 @@ void addChecks(py::module_& module) {
   addCheck<std::string, std::string>(module);
 }
 
+/// A list that notebooks show as a table. `type`: a class of glissade/_tables.py.
+template <class Value>
+py::object listOf(const char* type, const std::vector<Value>& values) {
+  return py::module_::import("glissade._tables").attr(type)(values);
+}
+
 void addFinding(py::module_& module) {
   py::class_<Fit>(module, "Fit", "Two bodies that touch, overlap or are near each other.")
       .def_readonly("a", &Fit::a)
@@ -212,7 +221,7 @@ void addFinding(py::module_& module) {
         options.threads = threads;
         options.progress = progressOf(progress, call);
         options.stop = call.stop();
-        return valueOf(call.result([&] { return fits(product, options); }));
+        return listOf("Fits", valueOf(call.result([&] { return fits(product, options); })));
       },
       py::arg("product"), py::kw_only(), py::arg("clearance_up_to") = 0.0, py::arg("clash_above") = 1e-3,
       py::arg("threads") = 0, py::arg("progress") = py::none(), "The fits of a product.");
@@ -223,7 +232,7 @@ void addFinding(py::module_& module) {
         FindOptions options;
         options.confirmsSuggested = confirmsSuggested;
         options.stop = call.stop();
-        return valueOf(call.result([&] { return joints(product, options); }));
+        return listOf("Joints", valueOf(call.result([&] { return joints(product, options); })));
       },
       py::arg("product"), py::kw_only(), py::arg("confirms_suggested") = false, "The joints of a product.");
 }
@@ -303,6 +312,8 @@ void addSequence(py::module_& module) {
 }  // namespace
 
 void addFunctions(py::module_& module) {
+  module.def("program_file", &programFile, py::arg("name"),
+             "The file of one of Glissade's programs, such as 'glissade-offscreen'. It may be missing.");
   addLoad<Scenario>(module, "load_scenario", "Reads a scenario or an OMPL.app file.");
   addLoad<Product>(module, "load_product", "Reads the bodies of a scenario, STEP, IGES, BREP, URDF or mesh file.");
   module.def(

@@ -6,6 +6,19 @@
 #include "engine/python/arrays.h"
 
 namespace glissade::python {
+namespace {
+
+/// An object that threads without the interpreter's lock copy and destroy.
+using KeptObject = std::shared_ptr<const py::object>;
+
+KeptObject kept(const py::object& object) {
+  return {new py::object(object), [](const py::object* last) {
+            const py::gil_scoped_acquire lock;
+            delete last;
+          }};
+}
+
+}  // namespace
 
 void addOperators(py::module_& module) {
   py::class_<HandView>(module, "HandView", "What an operator knows when it moves the object.")
@@ -21,13 +34,21 @@ void setOperator(const py::object& hand, const std::function<LongCall&()>& durin
     return;
   }
   if (PyCallable_Check(hand.ptr()) == 0) throw py::type_error("operator is no name and no function");
-  // The function is copied and destroyed by threads without the interpreter's lock.
-  const std::shared_ptr<const py::object> kept(new py::object(hand), [](const py::object* last) {
-    const py::gil_scoped_acquire lock;
-    delete last;
-  });
-  options.operatorFunction = [kept, during](const HandView& view) {
+  options.operatorFunction = [kept = kept(hand), during](const HandView& view) {
     return during().callBack([&] { return poseOf((*kept)(view), "the operator's pose"); }, view.hand);
+  };
+}
+
+void setSampler(const py::object& sampler, const std::function<LongCall&()>& during, PlanOptions& options) {
+  if (sampler.is_none()) return;
+  if (PyCallable_Check(sampler.ptr()) == 0) throw py::type_error("sampler is no function");
+  options.sampler = [made = kept(sampler), during](const Problem& problem, std::uint64_t seed) -> DrawFunction {
+    const Pose otherwise = problem.start();
+    const KeptObject draw = during().callBack([&] { return kept((*made)(problem, seed)); }, KeptObject());
+    if (!draw) return {};
+    return [draw, during, otherwise] {
+      return during().callBack([&] { return poseOf((*draw)(), "the sampler's pose"); }, otherwise);
+    };
   };
 }
 

@@ -16,4 +16,8 @@ void addOperators(pybind11::module_& module);
 /// the call of Python's that is under way when the operator is asked. Error: TypeError.
 void setOperator(const pybind11::object& hand, const std::function<LongCall&()>& during, PlanOptions& options);
 
+/// Sets the sampler of a run: a function (problem, seed) that returns a function without arguments, which returns a
+/// pose; None: none. `during`: as above. Error: TypeError.
+void setSampler(const pybind11::object& sampler, const std::function<LongCall&()>& during, PlanOptions& options);
+
 }  // namespace glissade::python

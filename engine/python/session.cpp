@@ -35,19 +35,21 @@ struct StepwiseRun {
 
 template <class Task>
 StepwiseRun runOf(const Task& task, const std::string& strategy, std::optional<std::uint64_t> seed,
-                  const py::object& hand, const Parameters& parameters) {
+                  const py::object& hand, const py::object& sampler, const Parameters& parameters) {
   const auto call = std::make_shared<LongCall*>(nullptr);
   PlanOptions options{strategy, seed};
   options.parameters = parameters;
-  setOperator(
-      hand, [call]() -> LongCall& { return **call; }, options);
+  const auto during = [call]() -> LongCall& { return **call; };
+  setOperator(hand, during, options);
+  setSampler(sampler, during, options);
   return {valueOf(Session::make(task, options)), call};
 }
 
 template <class Task>
 void addInit(py::class_<StepwiseRun>& session) {
   session.def(py::init(&runOf<Task>), py::arg("task"), py::kw_only(), py::arg("strategy") = "",
-              py::arg("seed") = py::none(), py::arg("operator") = "none", py::arg("parameters") = Parameters());
+              py::arg("seed") = py::none(), py::arg("operator") = "none", py::arg("sampler") = py::none(),
+              py::arg("parameters") = Parameters());
 }
 
 /// The numbers of enumerators as an array.

@@ -185,6 +185,8 @@ struct AssemblyPlan {
   SequenceDemands demands{};
   double deflection = 0.0;  ///< deflection of the product's STEP file, metres; 0: chosen by the size of each part
   std::vector<SubassemblyLine> lines{};  ///< disassembly of groups that have left, in the order of the steps
+  /// Ids of bodies that neither touch another body nor are joined to one: they may lie beside the product.
+  std::vector<BodyId> isolated{};
 
   std::size_t parts() const { return bodies.size() - staying.size(); }
   /// Number of bodies that leave.

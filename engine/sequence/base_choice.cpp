@@ -38,14 +38,14 @@ std::size_t baseOf(const AssembledProduct& product, const BodySet& among, const 
   const double height = up.cwiseAbs().dot(whole.sizes());
   const double ground = up.dot(whole.center()) - 0.5 * height;
   const std::vector<bool> may = mayBeBase(product.bodies.size(), joints, fasteners);
-  // Ordered by: no fastener; worth; size, for bodies that touch nothing.
+  // Ordered by: touches another one; no fastener; worth; size.
   const auto rank = [&](std::size_t body) {
     const auto& all = graph.neighboursOf(body);
     const auto touching = std::count_if(all.begin(), all.end(), [&](std::size_t other) { return among[other]; });
     const bool stands = hasGround && lowestOf(product.bodies[body], up) - ground <= kGround * height;
     const double size = boxVolume(product.bodies[body]);
     const double worth = std::sqrt(static_cast<double>(touching)) * std::cbrt(size) * (stands ? kStands : 1.0);
-    return std::tuple(may[body], worth, size);
+    return std::tuple(touching > 0, may[body], worth, size);
   };
   const BodyGroup bodies = bodiesIn(among);
   return *std::max_element(bodies.begin(), bodies.end(),

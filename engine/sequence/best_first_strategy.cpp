@@ -94,6 +94,7 @@ class Reordering {
       stacks_.push_back(single ? question.joints->stackOf(group.front()) : 0);
     }
     findOpeners();
+    findIsolated();
   }
 
   std::vector<std::size_t> order() {
@@ -142,6 +143,14 @@ class Reordering {
     }
   }
 
+  void findIsolated() {
+    if (question_.liaisons == nullptr) return;
+    for (const std::size_t body : question_.liaisons->isolated()) {
+      const auto alone = std::find(groups_.begin(), groups_.end(), BodyGroup{body});
+      if (alone != groups_.end()) isolated_.push_back(static_cast<std::size_t>(alone - groups_.begin()));
+    }
+  }
+
   /// The figures without those that depend on other bodies: the falling bodies and the access of the tool.
   StepFigures figuresOf(std::size_t step, const std::size_t* last, const std::vector<bool>& done) const {
     StepFigures figures = figures_[step];
@@ -150,6 +159,7 @@ class Reordering {
     figures.distance = last == nullptr ? 0.0 : (places_[step] - places_[*last]).norm();
     const auto left = std::count(done.begin(), done.end(), false);
     figures.early = static_cast<double>(left - 1) / static_cast<double>(done.size());
+    for (const std::size_t other : isolated_) figures.isolatedLeft += other != step && !done[other] ? 1.0 : 0.0;
     return figures;
   }
 
@@ -198,8 +208,9 @@ class Reordering {
   std::vector<std::vector<std::size_t>> assemblies_;  ///< tree path of the first body's assembly, for each step
   std::vector<std::size_t> tasks_;
   std::vector<std::size_t> stacks_;
-  std::vector<std::size_t> openers_;  ///< the step that opens the stack of each step; without a stack, the step itself
-  std::optional<ToolFacts> tools_;    ///< set if the cost uses the access of tools
+  std::vector<std::size_t> openers_;   ///< the step that opens the stack of each step; without a stack, the step itself
+  std::vector<std::size_t> isolated_;  ///< steps of bodies that touch nothing
+  std::optional<ToolFacts> tools_;     ///< set if the cost uses the access of tools
 };
 
 /// The bodies that are there after the first n steps of the plan, for each n.

@@ -159,6 +159,7 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
   AssemblyPlan plan = strategy->make()->plan(question, savable);
   // A plan in which every body stays takes nothing apart. The judge does not call it complete.
   if (plan.parts() == 0 && plan.end == PlanEnd::Complete) plan.end = PlanEnd::Stuck;
+  plan.isolated = idsOf(liaisons.isolated(), product);
   addJoints(plan, question);
   addLines(plan, question, host);
   addTools(plan, question, host);

@@ -15,7 +15,7 @@ struct NamedFigure {
   double (*value)(const StepFigures& figures);
 };
 
-constexpr std::array<NamedFigure, 18> kFigures{{
+constexpr std::array<NamedFigure, 19> kFigures{{
     {"length", [](const StepFigures& figures) { return figures.length; }},
     {"turns", [](const StepFigures& figures) { return figures.turns; }},
     {"direction_change", [](const StepFigures& figures) { return figures.directionChange ? 1.0 : 0.0; }},
@@ -34,6 +34,7 @@ constexpr std::array<NamedFigure, 18> kFigures{{
     {"in_air", [](const StepFigures& figures) { return figures.inAir ? 1.0 : 0.0; }},
     {"open_stacks", [](const StepFigures& figures) { return figures.openStacks; }},
     {"unfastened", [](const StepFigures& figures) { return figures.unfastened; }},
+    {"isolated_left", [](const StepFigures& figures) { return figures.isolatedLeft; }},
 }};
 
 const NamedFigure* figureNamed(const std::string& name) {
@@ -67,7 +68,8 @@ std::optional<RuleType> typeOfAttribute(const std::string& name, const std::map<
 
 std::vector<StepCostPreset> stepCostPresets() {
   return {{"fitter", GLISSADE_TEXT("As a fitter would"),
-           "30 * in_air + 20 * tool_blocked + 10 * falling + 2 * unfastened + 4 * open_stacks + 4 * task_change + 4 * "
+           "30 * in_air + 30 * isolated_left + 20 * tool_blocked + 10 * falling + 2 * unfastened + 4 * open_stacks + 4 "
+           "* task_change + 4 * "
            "assembly_change + 2 * tool_change + "
            "4 * turn_over + direction_change + "
            "2 * distance + 4 * size * early - 4 * fragile * early"},

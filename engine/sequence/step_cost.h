@@ -30,8 +30,9 @@ struct StepFigures {
   double size = 0.0;      ///< size of the boxes of the bodies that leave, divided by that of the product's box
   double early = 0.0;     ///< share of the steps that come later
   bool inAir = false;     ///< the bodies that leave touch no body that remains, and no joint joins them to one
-  double openStacks = 0.0;  ///< number of fastener stacks of which some bodies have left and others remain
-  double unfastened = 0.0;  ///< number of remaining bodies that joints no longer join to the base
+  double openStacks = 0.0;    ///< number of fastener stacks of which some bodies have left and others remain
+  double unfastened = 0.0;    ///< number of remaining bodies that joints no longer join to the base
+  double isolatedLeft = 0.0;  ///< number of bodies that touch nothing and leave later
   double turnOver = 0.0;  ///< 1: it ends upwards and the step before downwards, or the reverse; 0.5: one ends sideways
 };
 
@@ -47,8 +48,8 @@ std::vector<StepCostPreset> stepCostPresets();
 
 /// The cost of a step, as an expression that a user can read and change, in the language of the rules of coarse
 /// planning (see Expression). Names: length, turns, direction_change, turn_over, tool_change, falling, bodies, mass,
-/// fragile, tool_blocked, task_change, assembly_change, distance, size, early, in_air, unfastened, open_stacks, and
-/// body.<attribute> of the first body that leaves. Costs that are negative or no number count as 0.
+/// fragile, tool_blocked, task_change, assembly_change, distance, size, early, in_air, unfastened, open_stacks,
+/// isolated_left, and body.<attribute> of the first body that leaves. Costs that are negative or no number count as 0.
 class StepCost {
  public:
   /// `demands.cost`: a preset's id, an expression, or empty. Errors, MalformedInput at /sequence/cost: a syntax error,

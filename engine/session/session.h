@@ -83,10 +83,9 @@ struct SessionSnapshot {
   std::uint64_t seed = 0;
   ParameterValues parameters{1.0};
   PlannerCounts counts;
-  double virtualSeconds = 0.0;   ///< the operator's clock: real time in the window, lockstep time without one
-  double planningSeconds = 0.0;  ///< time spent planning, without pauses
-  /// Processor time of all threads that plan; updated only between the planner's turns.
-  double planningCpuSeconds = 0.0;
+  double virtualSeconds = 0.0;      ///< the operator's clock: real time in the window, lockstep time without one
+  double planningSeconds = 0.0;     ///< time spent planning, without pauses
+  double planningCpuSeconds = 0.0;  ///< processor time of all threads that plan
   Author authority = Author::Computer;
   bool contactMode = false;
   OperatorSample device;  ///< q_device and its nearest obstacle

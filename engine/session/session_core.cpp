@@ -310,8 +310,8 @@ void SessionCore::plan(const Hooks& hooks) {
 void SessionCore::stopClock() {
   if (!planningSince_) return;
   spent_ += std::chrono::steady_clock::now() - *planningSince_;
+  cpuSpent_ = planningCpuSeconds();
   planningSince_.reset();
-  cpuSpent_ += cpuSeconds(*planner_) - cpuBefore_;
 }
 
 /// Delivers the path, smoothed; if smoothing fails, as it was planned. A path that a hand leads is delivered without
@@ -419,6 +419,10 @@ double SessionCore::planningSeconds() const {
   return total.count();
 }
 
+double SessionCore::planningCpuSeconds() const {
+  return planningSince_ ? cpuSpent_ + cpuSeconds(*planner_) - cpuBefore_ : cpuSpent_;
+}
+
 void SessionCore::describe(SessionSnapshot& snapshot) {
   snapshot.run = run_;
   snapshot.state = state_;
@@ -427,7 +431,7 @@ void SessionCore::describe(SessionSnapshot& snapshot) {
   snapshot.seed = seed_;
   snapshot.parameters = parameters_;
   snapshot.planningSeconds = planningSeconds();
-  snapshot.planningCpuSeconds = cpuSpent_;
+  snapshot.planningCpuSeconds = planningCpuSeconds();
   snapshot.path = path_;
   snapshot.smoothed = path_ && smoothed_;
   snapshot.refused = refused_;

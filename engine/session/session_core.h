@@ -96,6 +96,8 @@ class SessionCore {
 
   /// Time spent planning, without pauses.
   double planningSeconds() const;
+  /// Processor time of planning: of the thread that calls this, which plans, and of the planner's helpers.
+  double planningCpuSeconds() const;
   const Problem& problem() const { return problem_; }
   const ParameterValues& parameters() const { return parameters_; }
   const Planner* planner() const { return planner_.get(); }

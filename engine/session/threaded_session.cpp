@@ -57,7 +57,7 @@ class Threaded final : public Session {
       if (std::holds_alternative<command::Stop>(command)) stop_.requestStop();
       commands_.push_back(std::move(command));
     }
-    commandsArrived_.notify_all();
+    plannerWakes_.notify_all();
   }
 
   void setOperatorFrame(const OperatorFrame& frame) override {
@@ -93,7 +93,8 @@ class Threaded final : public Session {
       quit_ = true;
       stop_.requestStop();
     }
-    commandsArrived_.notify_all();
+    plannerWakes_.notify_all();
+    operatorWakes_.notify_all();
     if (plannerThread_.joinable()) plannerThread_.join();
     if (operatorThread_.joinable()) operatorThread_.join();
   }
@@ -111,8 +112,7 @@ class Threaded final : public Session {
   /// Sleeps while there is nothing to do. False: the session ends.
   bool waitForWork() {
     std::unique_lock lock(mutex_);
-    commandsArrived_.wait(lock,
-                          [this] { return quit_ || !commands_.empty() || core_.state() == SessionState::Planning; });
+    plannerWakes_.wait(lock, [this] { return quit_ || !commands_.empty() || core_.state() == SessionState::Planning; });
     return !quit_;
   }
 
@@ -136,10 +136,13 @@ class Threaded final : public Session {
       }
     });
     if (core_.run() == runBefore) return;
-    const std::lock_guard lock(mutex_);
-    restartWanted_ = true;
-    operatorTrouble_.reset();
-    chunks_.clear();
+    {
+      const std::lock_guard lock(mutex_);
+      run_ = core_.run();
+      operatorTrouble_.reset();
+      chunks_.clear();
+    }
+    operatorWakes_.notify_all();
   }
 
   void plan() {
@@ -172,10 +175,13 @@ class Threaded final : public Session {
     return stop_.token();
   }
 
-  /// The operator's state that the planner uses in one step.
+  /// The operator's state that the planner uses in one step. The first step of a run waits until the hand is back at
+  /// the start.
   std::optional<HandState> readOperator() {
-    const std::lock_guard lock(mutex_);
-    if (!held_) return std::nullopt;
+    std::unique_lock lock(mutex_);
+    plannerWakes_.wait(lock,
+                       [this] { return !held_ || operatorRun_ == run_ || quit_ || stop_.token().stopRequested(); });
+    if (!held_ || operatorRun_ != run_) return std::nullopt;
     operatorSeen_ = operatorSample_;
     return HandState{operatorSeen_.q_device, operatorSeen_.moves};
   }
@@ -197,7 +203,7 @@ class Threaded final : public Session {
       publishPlanning();
       const auto until = std::min(due, Clock::now() + kPublishInterval);
       std::unique_lock lock(mutex_);
-      if (commandsArrived_.wait_until(lock, until, [this] { return quit_ || !commands_.empty(); })) break;
+      if (plannerWakes_.wait_until(lock, until, [this] { return quit_ || !commands_.empty(); })) break;
     }
     lastStep_ = std::min(due, Clock::now());
   }
@@ -234,7 +240,7 @@ class Threaded final : public Session {
 
   void operatorLoop() {
     auto last = Clock::now();
-    for (bool goesOn = true; goesOn; std::this_thread::sleep_until(last + kOperatorTick)) {
+    for (bool goesOn = true; goesOn; waitForTick(last + kOperatorTick)) {
       const double dt = std::min(kLongestTick, std::chrono::duration<double>(Clock::now() - last).count());
       last = Clock::now();
       auto why = guarded(OperatorHand::kWork, [&] { goesOn = operatorTick(dt); });
@@ -243,10 +249,17 @@ class Threaded final : public Session {
     }
   }
 
+  /// Sleeps until the next tick is due, or a run begins.
+  void waitForTick(Clock::time_point due) {
+    std::unique_lock lock(mutex_);
+    operatorWakes_.wait_until(lock, due, [this] { return quit_ || operatorRun_ != run_; });
+  }
+
   /// One tick of the operator. False: the session ends.
   bool operatorTick(double dt) {
     OperatorFrame frame;
     std::optional<Pose> put;
+    std::uint64_t run = 0;
     bool restart = false;
     Sight sight;
     {
@@ -254,22 +267,27 @@ class Threaded final : public Session {
       if (quit_) return false;
       frame = frame_;
       put = std::exchange(putWanted_, std::nullopt);
-      restart = std::exchange(restartWanted_, false);
+      run = run_;
+      restart = run != operatorRun_;
       const bool runEnded = planning_.run > 0 && !isRunning(planning_);
       sight = {chunks_, planning_.parameters, planning_.path, planning_.coarsePlan, runEnded};
     }
     moveHand(dt, frame, put, restart, sight);
-    publishOperator();
+    publishOperator(run);
     return true;
   }
 
   void giveUpDevice(Diagnostic why) {
     Diagnostic problem = hand_.giveUp(std::move(why));
-    const std::lock_guard lock(mutex_);
-    operatorTrouble_ = std::move(problem);
-    held_ = false;
-    deviceConnected_ = true;  // there is no device
-    dirty_ = true;
+    {
+      const std::lock_guard lock(mutex_);
+      operatorTrouble_ = std::move(problem);
+      operatorRun_ = run_;
+      held_ = false;
+      deviceConnected_ = true;  // there is no device
+      dirty_ = true;
+    }
+    plannerWakes_.notify_all();
   }
 
   void moveHand(double dt, const OperatorFrame& frame, const std::optional<Pose>& put, bool restart,
@@ -286,7 +304,8 @@ class Threaded final : public Session {
     hand_.advance(dt, frame, tree_, guidanceOf(sight.parameters, target));
   }
 
-  void publishOperator() {
+  /// `run`: the run that the hand belongs to.
+  void publishOperator(std::uint64_t run) {
     const OperatorSample& sample = hand_.sample();
     const std::lock_guard lock(mutex_);
     if (sample.moves != operatorSample_.moves || sample.guidance != operatorSample_.guidance ||
@@ -297,6 +316,7 @@ class Threaded final : public Session {
     operatorSample_ = sample;
     deviceConnected_ = hand_.connected();
     held_ = hand_.held();
+    if (std::exchange(operatorRun_, run) != run) plannerWakes_.notify_all();
   }
 
   /// Notifies the window. At most one notification is pending and at most one comes in a publishing interval.
@@ -324,15 +344,17 @@ class Threaded final : public Session {
   Clock::time_point lastStep_;
 
   mutable std::mutex mutex_;  ///< guards the members below up to the threads
-  std::condition_variable commandsArrived_;
+  std::condition_variable plannerWakes_;
+  std::condition_variable operatorWakes_;
   std::deque<Command> commands_;
   bool quit_ = false;
   StopSource stop_;
   SessionSnapshot planning_;
   OperatorFrame frame_;
   std::optional<Pose> putWanted_;
-  bool restartWanted_ = false;
-  RoadmapChunks chunks_;  ///< for the operator
+  std::uint64_t run_ = 0;          ///< number of the latest run
+  std::uint64_t operatorRun_ = 0;  ///< number of the run at whose start, or after it, operatorSample_ was read
+  RoadmapChunks chunks_;           ///< for the operator
   OperatorSample operatorSample_;
   bool held_ = false;
   bool deviceConnected_ = true;

@@ -45,7 +45,9 @@ struct StudyCell {
   std::uint64_t memoryLimitMb = 0;           ///< limit of the run's process; 0: none
   std::vector<std::uint64_t> seeds;          ///< ascending
   std::map<std::string, PaperValue> paper;   ///< values by key of a PaperColumn, and optionally "note"
-  std::string location;                      ///< place in the study file, for messages
+  /// Quartiles of its own results at full size, lower, median, upper, by key of a PaperColumn; empty: not stated.
+  std::map<std::string, std::vector<double>> measured;
+  std::string location;  ///< place in the study file, for messages
 };
 
 /// A study file as a value: all cells, in the order of the file.

@@ -53,6 +53,7 @@ StudyCell cellOf(const StudyRow& row, const std::string& scenario, const std::st
   cell.memoryLimitMb = axes.limits.memoryMb.value_or(0);
   cell.seeds = seedsOf(axes.seeds);
   cell.paper = row.paper;
+  if (!axes.operators.empty() && operatorName == axes.operators.front()) cell.measured = row.measured;
   cell.location = row.location;
   return cell;
 }

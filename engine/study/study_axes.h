@@ -45,6 +45,7 @@ struct StudyRow {
   std::string label;
   StudyAxes axes;
   std::map<std::string, PaperValue> paper;
+  std::map<std::string, std::vector<double>> measured;  ///< see StudyCell; of the first operator
   std::string location;
 };
 

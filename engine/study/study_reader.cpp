@@ -200,6 +200,9 @@ class CellLister {
       for (const auto& [key, value] : file_.rows[i].paper) {
         study_json::expectOneOf(key, keys, GLISSADE_TEXT("column"), rowAt(i).at("paper").at(key));
       }
+      for (const auto& [key, value] : file_.rows[i].measured) {
+        study_json::expectOneOf(key, keys, GLISSADE_TEXT("column"), rowAt(i).at("measured").at(key));
+      }
     }
   }
 
@@ -207,7 +210,7 @@ class CellLister {
   std::vector<StudyRow> rowsOfFile() const {
     StudyAxes general = file_.axes;
     if (general.operators.empty()) general.operators = {"none"};
-    if (file_.rows.empty()) return {{"", general, {}, ""}};
+    if (file_.rows.empty()) return {{"", general, {}, {}, ""}};
     std::vector<StudyRow> rows = file_.rows;
     std::set<std::string> labels;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -359,6 +362,10 @@ void describe(Archive& row, Type<StudyRow> /*type*/) {
   row.embed(&StudyRow::axes);
   row.optional("paper", &StudyRow::paper, study_json::PaperFormat(),
                "Printed numbers or words by the keys of the columns, and a note.");
+  row.optional(
+      "measured", &StudyRow::measured, mapOf(listOf(kNumber, 3, 3)),
+      "Quartiles of the study's own results at full size with its first operator, over the solved runs, by the "
+      "keys of the columns: lower, median, upper.");
 }
 
 template <class Archive>

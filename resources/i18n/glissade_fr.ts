@@ -11676,6 +11676,26 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <translation>Le solide les recouvre, donc rien ne manque.</translation>
     </message>
     <message>
+        <source>looking how the product lies in each step</source>
+        <translation>recherche de la position du produit à chaque étape</translation>
+    </message>
+    <message>
+        <source>Excluded, without a step: %1</source>
+        <translation>Exclues, sans étape&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Hold until this step is done, because nothing supports it before: %1.</source>
+        <translation>À tenir jusqu’à la fin de cette étape, car rien ne le soutient avant&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Hold from this step on, because nothing supports it any more: %1.</source>
+        <translation>À tenir à partir de cette étape, car plus rien ne le soutient&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Touches nothing and may lie beside the product: %1.</source>
+        <translation>Ne touche rien et se trouve peut-être à côté du produit&#xa0;: %1.</translation>
+    </message>
+    <message>
         <source>accepted clash: %1</source>
         <translation>interférence acceptée&#xa0;: %1</translation>
     </message>
@@ -13408,14 +13428,6 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <translation>Nœuds du graphe</translation>
     </message>
     <message>
-        <source>Edges</source>
-        <translation>Arêtes</translation>
-    </message>
-    <message>
-        <source>Both directions, as the papers count</source>
-        <translation>Comptés dans les deux sens, comme dans les articles</translation>
-    </message>
-    <message>
         <source>Random configurations</source>
         <translation>Configurations aléatoires</translation>
     </message>
@@ -13438,18 +13450,6 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>Drawn on tangent planes, kept or not</source>
         <translation>Tirées sur les plans tangents, conservées ou non</translation>
-    </message>
-    <message>
-        <source>Of planning; pauses do not count</source>
-        <translation>Temps de planification, sans les pauses</translation>
-    </message>
-    <message>
-        <source>Steps per second</source>
-        <translation>Pas par seconde</translation>
-    </message>
-    <message>
-        <source>Planner steps in a second</source>
-        <translation>Pas du planificateur en une seconde</translation>
     </message>
     <message>
         <source>Contact mode</source>
@@ -13488,10 +13488,6 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <translation>en collision</translation>
     </message>
     <message>
-        <source>Computing time</source>
-        <translation>Temps de calcul</translation>
-    </message>
-    <message>
         <source>Your hand showed %1 configurations. In collision: %2; moved to contact: %3.</source>
         <translation>Votre main a montré %1 configurations. En collision&#xa0;: %2&#xa0;; ramenées au contact&#xa0;: %3.</translation>
     </message>
@@ -13506,6 +13502,38 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>The path follows your way for %1 % of its length.</source>
         <translation>Le chemin suit votre trajet sur %1&#xa0;% de sa longueur.</translation>
+    </message>
+    <message>
+        <source>Edges, both directions</source>
+        <translation>Arêtes, dans les deux sens</translation>
+    </message>
+    <message>
+        <source>Each edge counts twice, as in the papers&apos; tables</source>
+        <translation>Chaque arête compte deux fois, comme dans les tableaux des articles</translation>
+    </message>
+    <message>
+        <source>Duration of the run</source>
+        <translation>Durée de l’exécution</translation>
+    </message>
+    <message>
+        <source>Includes the person&apos;s time; pauses do not count</source>
+        <translation>Comprend le temps de la personne&#xa0;; les pauses ne comptent pas</translation>
+    </message>
+    <message>
+        <source>Processor time</source>
+        <translation>Temps de processeur</translation>
+    </message>
+    <message>
+        <source>Time in which the computer planned; the processors&apos; times are added</source>
+        <translation>Temps pendant lequel l’ordinateur a planifié&#xa0;; les temps des processeurs sont additionnés</translation>
+    </message>
+    <message>
+        <source>Steps per second of the run</source>
+        <translation>Étapes par seconde d’exécution</translation>
+    </message>
+    <message>
+        <source>Planner steps in a second of the duration, in which a person steers; Pace limits them</source>
+        <translation>Étapes du planificateur par seconde de la durée, pendant laquelle une personne dirige&#xa0;; la cadence les limite</translation>
     </message>
 </context>
 <context>
@@ -13998,12 +14026,24 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
 <context>
     <name>glissade::HandHint</name>
     <message>
-        <source>A D W S Q E: move · J L I K U O: turn · Shift: slow · F: %1 · %2: camera · %3: help</source>
-        <translation>A D W S Q E&#xa0;: déplacer · J L I K U O&#xa0;: tourner · Maj&#xa0;: lent · F&#xa0;: %1 · %2&#xa0;: caméra · %3&#xa0;: aide</translation>
-    </message>
-    <message>
         <source>Hold %1</source>
         <translation>Maintenez %1</translation>
+    </message>
+    <message>
+        <source>To the goal: %1</source>
+        <translation>Jusqu’au but&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>keys move the object again</source>
+        <translation>les touches déplacent de nouveau l’objet</translation>
+    </message>
+    <message>
+        <source>keys move the camera</source>
+        <translation>les touches déplacent la caméra</translation>
+    </message>
+    <message>
+        <source>A D W S Q E: move · J L I K U O: turn · Shift: slow · F: change the axes (now: %1) · %2: %3 · %4: go where the search is stuck</source>
+        <translation>A D W S Q E&#xa0;: déplacer · J L I K U O&#xa0;: tourner · Maj&#xa0;: lentement · F&#xa0;: changer d’axes (maintenant&#xa0;: %1) · %2&#xa0;: %3 · %4&#xa0;: aller où la recherche est bloquée</translation>
     </message>
 </context>
 <context>
@@ -15311,6 +15351,28 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     </message>
 </context>
 <context>
+    <name>glissade::PaperComparison</name>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (%2 à %3)</translation>
+    </message>
+    <message>
+        <source>paper</source>
+        <translation>article</translation>
+    </message>
+    <message>
+        <source>this run</source>
+        <translation>cette exécution</translation>
+    </message>
+    <message numerus="yes">
+        <source>simulated, %n run(s)</source>
+        <translation>
+            <numerusform>simulé, %n exécution</numerusform>
+            <numerusform>simulé, %n exécutions</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>glissade::ParameterSlider</name>
     <message>
         <source>auto</source>
@@ -15419,22 +15481,6 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <translation>Axe vertical de %1</translation>
     </message>
     <message>
-        <source>Moving part</source>
-        <translation>Pièce manipulée</translation>
-    </message>
-    <message>
-        <source>Static</source>
-        <translation>Statique</translation>
-    </message>
-    <message>
-        <source>Does not move</source>
-        <translation>Ne bouge pas</translation>
-    </message>
-    <message>
-        <source>Mobile</source>
-        <translation>Mobile</translation>
-    </message>
-    <message>
         <source>Unit of the file; of all selected rows together</source>
         <translation>Unité du fichier&#xa0;; pour toutes les lignes sélectionnées</translation>
     </message>
@@ -15483,10 +15529,6 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <translation>Le fichier donne lui-même son unité&#xa0;; Z est l&apos;axe vertical</translation>
     </message>
     <message>
-        <source>Select several rows to choose their role, unit or axis together.</source>
-        <translation>Sélectionnez plusieurs lignes pour choisir ensemble leur rôle, leur unité ou leur axe.</translation>
-    </message>
-    <message>
         <source>Parts (%1);;All files (*)</source>
         <translation>Pièces (%1);;Tous les fichiers (*)</translation>
     </message>
@@ -15511,10 +15553,6 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <translation>L&apos;unité est-elle la bonne&#xa0;? Les fichiers ne la donnent pas, et leur taille ne permet pas de la déduire. Choisissez-la.</translation>
     </message>
     <message>
-        <source>What the part is in the scenario; all selected rows together</source>
-        <translation>Ce que la pièce est dans le scénario&#xa0;; toutes les lignes sélectionnées ensemble</translation>
-    </message>
-    <message>
         <source>The part whose path is planned; several move as one</source>
         <translation>La pièce dont on planifie le chemin&#xa0;; plusieurs bougent ensemble</translation>
     </message>
@@ -15533,6 +15571,30 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>file&apos;s</source>
         <translation>du fichier</translation>
+    </message>
+    <message>
+        <source>What the part does while the path of one part is planned; an assembly plan moves every part. It is set for all selected rows together</source>
+        <translation>Ce que fait la pièce pendant la planification du chemin d’une pièce&#xa0;; un plan d’assemblage déplace chaque pièce. Réglé pour toutes les lignes sélectionnées</translation>
+    </message>
+    <message>
+        <source>Moves: its path is planned</source>
+        <translation>Se déplace&#xa0;: son chemin est planifié</translation>
+    </message>
+    <message>
+        <source>Stays</source>
+        <translation>Reste en place</translation>
+    </message>
+    <message>
+        <source>Does not move while another part moves</source>
+        <translation>Ne bouge pas pendant qu’une autre pièce se déplace</translation>
+    </message>
+    <message>
+        <source>Stays, could be moved aside</source>
+        <translation>Reste, pourrait être écartée</translation>
+    </message>
+    <message>
+        <source>Roles are for the path of one part; an assembly plan moves every part. Select several rows to choose their role, unit or axis together.</source>
+        <translation>Les rôles valent pour le chemin d’une pièce&#xa0;; un plan d’assemblage déplace chaque pièce. Sélectionnez plusieurs lignes pour choisir ensemble leur rôle, leur unité ou leur axe.</translation>
     </message>
 </context>
 <context>
@@ -16481,8 +16543,8 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <translation>en collision</translation>
     </message>
     <message>
-        <source>Computing time</source>
-        <translation>Temps de calcul</translation>
+        <source>Duration of the run</source>
+        <translation>Durée de l’exécution</translation>
     </message>
 </context>
 <context>
@@ -16580,6 +16642,14 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>Where the origin of the object&apos;s file is then</source>
         <translation>Où se trouve alors l&apos;origine du fichier de l&apos;objet</translation>
+    </message>
+    <message>
+        <source>Part for a path of its own</source>
+        <translation>Pièce pour un chemin à elle seule</translation>
+    </message>
+    <message>
+        <source>Other parts</source>
+        <translation>Autres pièces</translation>
     </message>
 </context>
 <context>
@@ -17026,31 +17096,6 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <source>The order that costs least is used. An expression, as 5 * tool_change + length, or one of the list; the last of it keeps the order in which the removals were found</source>
         <translation>L&apos;ordre le moins coûteux est utilisé. Une expression, comme 5 * tool_change + length, ou un choix de la liste&#xa0;; le dernier garde l&apos;ordre dans lequel les démontages ont été trouvés</translation>
     </message>
-    <message>
-        <source>0 of %1 parts removed.</source>
-        <translation>0 pièce démontée sur %1.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n of %1 parts removed,</source>
-        <translation>
-            <numerusform>%n pièce démontée sur %1,</numerusform>
-            <numerusform>%n pièces démontées sur %1,</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n of them without a certificate.</source>
-        <translation>
-            <numerusform>dont %n sans certificat.</numerusform>
-            <numerusform>dont %n sans certificat.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n of %1 parts removed, every motion certified.</source>
-        <translation>
-            <numerusform>%n pièce démontée sur %1&#xa0;; chaque mouvement est certifié.</numerusform>
-            <numerusform>%n pièces démontées sur %1&#xa0;; chaque mouvement est certifié.</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>%n stuck.</source>
         <translation>
@@ -17063,13 +17108,6 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <translation>
             <numerusform>%n forcée.</numerusform>
             <numerusform>%n forcées.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n in groups that are not disassembled.</source>
-        <translation>
-            <numerusform>%n dans un groupe qui n&apos;est pas démonté.</numerusform>
-            <numerusform>%n dans des groupes qui ne sont pas démontés.</numerusform>
         </translation>
     </message>
     <message>
@@ -17123,6 +17161,38 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <translation>
             <numerusform>Essai de %1 et de %n autre…</numerusform>
             <numerusform>Essai de %1 et de %n autres…</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of %1 parts assembled</source>
+        <translation>
+            <numerusform>%n pièce sur %1 assemblée</numerusform>
+            <numerusform>%n pièces sur %1 assemblées</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of %1 parts removed</source>
+        <translation>
+            <numerusform>%n pièce sur %1 démontée</numerusform>
+            <numerusform>%n pièces sur %1 démontées</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them in groups that stay together</source>
+        <translation>
+            <numerusform>dont %n dans un groupe qui reste entier</numerusform>
+            <numerusform>dont %n dans des groupes qui restent entiers</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>every motion certified</source>
+        <translation>chaque mouvement certifié</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n without a certificate</source>
+        <translation>
+            <numerusform>%n sans certificat</numerusform>
+            <numerusform>%n sans certificat</numerusform>
         </translation>
     </message>
 </context>
@@ -17260,20 +17330,12 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <translation>État</translation>
     </message>
     <message>
-        <source>Above: smallest distance to other parts. Below: the largest allowance of the step; its tool tip lists all</source>
-        <translation>En haut&#xa0;: plus petite distance aux autres pièces. En bas&#xa0;: plus grand amincissement de l&apos;étape&#xa0;; l&apos;infobulle les énumère tous</translation>
-    </message>
-    <message>
         <source>Above: the tool that turns the fastener, and what blocks it. Below: parts that need support because they would tip or fall, or the constraints that a forced step violates</source>
         <translation>En haut&#xa0;: l&apos;outil qui tourne la fixation, et ce qui le bloque. En bas&#xa0;: les pièces à maintenir car elles basculeraient ou tomberaient, ou les contraintes qu&apos;une étape forcée ne respecte pas</translation>
     </message>
     <message>
         <source>Steps of the sequence</source>
         <translation>Étapes de la séquence</translation>
-    </message>
-    <message>
-        <source>certified %1; smallest %2 to %3</source>
-        <translation>certifié %1&#xa0;; le plus petit %2 à %3</translation>
     </message>
     <message>
         <source>forced: %1</source>
@@ -17325,6 +17387,26 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>Next: resume planning.</source>
         <translation>Ensuite&#xa0;: reprenez la planification.</translation>
+    </message>
+    <message>
+        <source>Above: smallest distance to other parts on the motion. Below: how much thinner the part counts where the file lets parts touch or overlap, such as a fit</source>
+        <translation>En haut&#xa0;: plus petite distance aux autres pièces pendant le mouvement. En bas&#xa0;: amincissement de la pièce là où le fichier fait se toucher ou se chevaucher des pièces, comme un ajustement</translation>
+    </message>
+    <message>
+        <source>touches nothing</source>
+        <translation>ne touche rien</translation>
+    </message>
+    <message>
+        <source>The part touches nothing: it may lie beside the product.</source>
+        <translation>La pièce ne touche rien&#xa0;: elle se trouve peut-être à côté du produit.</translation>
+    </message>
+    <message>
+        <source>Clearance: the smallest distance on the whole motion is %1, to %2; at least %3 is certified. It is certified because it is not below the required clearance.</source>
+        <translation>Jeu&#xa0;: la plus petite distance pendant tout le mouvement est de %1, à %2&#xa0;; au moins %3 est certifié. Il est certifié parce qu’il n’est pas inférieur au jeu exigé.</translation>
+    </message>
+    <message>
+        <source>Allowance: the file lets these parts touch or overlap, so that the moving part counts as thinner by this length against them. An allowance above the clearance is usual for a fit; the clearance is what is left beside it.</source>
+        <translation>Amincissement&#xa0;: le fichier fait se toucher ou se chevaucher ces pièces, si bien que la pièce mobile compte comme plus mince de cette longueur face à elles. Un amincissement supérieur au jeu est habituelle pour un ajustement&#xa0;; le jeu est ce qui reste en plus.</translation>
     </message>
 </context>
 <context>

@@ -1,4 +1,7 @@
 """Wrong arguments of every function and constructor are exceptions."""
+import ast
+import pathlib
+
 import numpy as np
 import pytest
 
@@ -11,6 +14,9 @@ PROBLEM = glissade.Problem(WORLD, [-3, 0, 0], [3, 0, 0])
 PATH = glissade.Path([[-3, 0, 0], [3, 0, 0]])
 PRODUCT = glissade.Product([glissade.Body("a", CUBE), glissade.Body("b", CUBE, [0, 0, 1])])
 QUERY = WORLD.query()
+PLAN = glissade.sequence(PRODUCT)
+LAYERS = glissade.Layers(PROBLEM, topology_level=3)
+SCENARIO = glissade.load_scenario(str(pathlib.Path(__file__).parents[2] / "samples" / "sliding-plane" / "scenario.json"))
 
 WRONG = {
     "mesh of nothing": lambda: glissade.Mesh([], []),
@@ -77,6 +83,50 @@ WRONG = {
     "no mesh": lambda: glissade.load_mesh("/no/mesh.stl"),
     "no path": lambda: glissade.load_path("/no/path.csv"),
     "no plan": lambda: glissade.load_plan("/no/plan.json"),
+    "layers of no task": lambda: glissade.Layers(None),
+    "cells of NaN": lambda: glissade.Layers(PROBLEM, cell_size=NAN),
+    "memory below 0": lambda: glissade.Layers(PROBLEM, memory=-1),
+    "unknown identifier": lambda: glissade.Layers(PROBLEM, identifier="nonsense"),
+    "place of no number": lambda: LAYERS.with_place_value(999, "forbidden", True),
+    "place of no name": lambda: LAYERS.with_place_value("P999", "forbidden", True),
+    "place below 0": lambda: LAYERS.with_place_value(-1, "forbidden", True),
+    "unknown attribute": lambda: LAYERS.with_place_value(0, "nonsense", True),
+    "attribute of NaN": lambda: LAYERS.with_place_value(0, "preference", NAN),
+    "attribute out of range": lambda: LAYERS.with_place_value(0, "preference", -1),
+    "attribute of another kind": lambda: LAYERS.with_place_value(0, "forbidden", "yes"),
+    "attribute of None": lambda: LAYERS.with_place_value(0, "forbidden", None),
+    "attributes of no body": lambda: LAYERS.of_body("nobody"),
+    "attribute of no body": lambda: LAYERS.with_body_value("nobody", "mobility", "static"),
+    "attribute that is no word": lambda: LAYERS.with_attribute("Not a word"),
+    "attribute that exists": lambda: LAYERS.with_attribute("forbidden"),
+    "attribute whose function returns NaN": lambda: LAYERS.with_attribute("risk", lambda place: NAN),
+    "attribute whose function returns too much": lambda: LAYERS.with_attribute("risk", lambda place: 2, maximum=1),
+    "attribute whose function returns None": lambda: LAYERS.with_attribute("risk", lambda place: None),
+    "attribute whose function is none": lambda: LAYERS.with_attribute("risk", 7),
+    "rules of a text": lambda: LAYERS.with_rules("distance"),
+    "rules that do not parse": lambda: LAYERS.with_rules(glissade.Rules(edge="distance +")),
+    "rules of an unknown name": lambda: LAYERS.with_rules(glissade.Rules(edge="place.nonsense")),
+    "rules of None": lambda: glissade.Rules(node=None),
+    "fine rule of None": lambda: glissade.FineRule(None, "rrt"),
+    "rules of an unknown planner": lambda: LAYERS.with_rules(glissade.Rules(fine=[glissade.FineRule("1", "none")])),
+    "rules of no strategy": lambda: LAYERS.rules("birrt"),
+    "coarse plan of no strategy": lambda: LAYERS.coarse_plan("nonsense"),
+    "sampler that is none": lambda: glissade.plan(PROBLEM, strategy="birrt", sampler=7),
+    "sampler without a function": lambda: glissade.plan(PROBLEM, strategy="birrt", sampler=lambda task, seed: 7),
+    "sampler of NaN": lambda: glissade.plan(PROBLEM, strategy="birrt", sampler=lambda *task: lambda: [NAN, 0, 0]),
+    "sampler of a session that is none": lambda: glissade.Session(PROBLEM, sampler="nobody"),
+    "view of None": lambda: glissade.view(None),
+    "view of a path by a plan": lambda: glissade.view(PROBLEM, plan=PATH),
+    "view of a path and a plan": lambda: glissade.view(PROBLEM, PATH, PLAN),
+    "view of a plan by a problem": lambda: glissade.view(PROBLEM, plan=PLAN),
+    "view at NaN": lambda: glissade.view(PRODUCT, moment=NAN),
+    "view without pixels": lambda: glissade.view(PRODUCT, pixels=0),
+    "program of None": lambda: glissade.program_file(None),
+    "path saved to no folder": lambda: PATH.save("/no/folder/path.csv", SCENARIO),
+    "path saved without a format": lambda: PATH.save("path.nonsense", SCENARIO),
+    "plan saved to no folder": lambda: PLAN.save("/no/folder/plan.json", "product.step"),
+    "document of a plan of None": lambda: PLAN.json(None),
+    "context that is made": lambda: glissade.PlannerContext().parameter("alpha"),
     "deflection of NaN": lambda: glissade.load_product("/no/product.step", deflection=NAN),
 }
 
@@ -92,3 +142,18 @@ def test_an_error_has_file_reason_and_kind():
     with pytest.raises(glissade.Error) as caught:
         glissade.load_scenario("/no/scenario.json")
     assert caught.value.file == "/no/scenario.json" and caught.value.kind == "malformed_input" and caught.value.reason
+
+
+def test_every_function_with_arguments_is_called_wrongly():
+    stub = ast.parse((pathlib.Path(glissade.__file__).parent / "__init__.pyi").read_text())
+    named = set()
+    for node in stub.body:
+        if isinstance(node, ast.FunctionDef):
+            named.add(node.name)
+        for item in node.body if isinstance(node, ast.ClassDef) else []:
+            takes = isinstance(item, ast.FunctionDef) and len(item.args.args) + len(item.args.kwonlyargs) > 1
+            if takes or isinstance(item, ast.FunctionDef) and item.args.kwarg:
+                named.add(node.name if item.name == "__init__" else item.name)
+    called = {node.func.attr for node in ast.walk(ast.parse(pathlib.Path(__file__).read_text()))
+              if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute)}
+    assert named <= called, named - called

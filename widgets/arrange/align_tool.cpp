@@ -222,13 +222,14 @@ QString AlignTool::hintFor(const std::optional<Pointed>& hovered) const {
   if (hovered && first_ && hovered->item == first_->item) {
     return tr("This is the moving part. Click another body. Esc ends this.");
   }
+  const QString body = hovered ? nameOf(hovered->item, *bench_.document.scenario()) : QString();
   if (hovered && first_) {
     return tr("Click to align: %1 with %2 of %3, %4. Esc ends this.")
-        .arg(kindText(first_->feature), kindText(hovered->feature), nameOf(hovered->item),
+        .arg(kindText(first_->feature), kindText(hovered->feature), body,
              relationText(first_->feature, hovered->feature));
   }
   if (hovered) {
-    return tr("Click the moving part: %1 of %2. Esc ends this.").arg(kindText(hovered->feature), nameOf(hovered->item));
+    return tr("Click the moving part: %1 of %2. Esc ends this.").arg(kindText(hovered->feature), body);
   }
   return first_ ? tr("Click the vertex, edge or face of another body that it goes onto. Esc ends this.")
                 : tr("Click a vertex, an edge or a face of the moving part. Esc ends this.");

@@ -191,7 +191,7 @@ void ArrangeController::followDocument(Changes what) {
 }
 
 void ArrangeController::showItem(const std::optional<AssemblyItem>& item, const PlacementPoints& points) {
-  bar_->showItem(item ? nameOf(*item) : QString());
+  bar_->showItem(item ? nameOf(*item, *bench_.document.scenario()) : QString());
   if (!item) {
     tool_.setSelected(std::nullopt);
   } else if (points.picked) {
@@ -211,7 +211,7 @@ void ArrangeController::takeAlignment(const AssemblyItem& item, const MeasureFea
     const QString keys = bench_.actions["assembly.flip"]->shortcut().toString(QKeySequence::NativeText);
     const QString text =
         canFlip(moving, fixed) ? tr("%1 is aligned. %2 reverses the direction.") : tr("%1 is aligned.");
-    bench_.messages.showStatus(text.arg(nameOf(item), keys));
+    bench_.messages.showStatus(text.arg(nameOf(item, *bench_.document.scenario()), keys));
   }
   resume();
 }

@@ -54,8 +54,8 @@ void WorkspaceNotice::tell(const AssemblyItem& item) {
     case AssemblyItem::Kind::Start: notice.title = tr("The start is outside of the workspace now."); break;
     case AssemblyItem::Kind::Goal: notice.title = tr("The goal is outside of the workspace now."); break;
     case AssemblyItem::Kind::Body:
-      notice.title =
-          tr("%1 is outside of the workspace now.").arg(QLatin1Char('\'') + nameOf(item) + QLatin1Char('\''));
+      notice.title = tr("%1 is outside of the workspace now.")
+                         .arg(QLatin1Char('\'') + nameOf(item, *bench_.document.scenario()) + QLatin1Char('\''));
       notice.details = tr("The object cannot reach it. Undo, or fit the workspace.");
       break;
   }

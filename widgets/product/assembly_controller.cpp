@@ -387,7 +387,7 @@ void AssemblyController::showPlacement() {
   if (!document_.scenario()) return;
   if (placed_ == chosen_ && document_.isArranging()) return;  // the user's input is not arranged yet
   placed_ = chosen_;
-  const QString name = chosen_ ? nameOf(*chosen_) : QString();
+  const QString name = chosen_ ? nameOf(*chosen_, *document_.scenario()) : QString();
   const auto pose = chosen_ ? poseOf(document_.scenario()->scenario, *chosen_) : std::nullopt;
   PlacementPoints points = pose ? placementPoints(*document_.scenario(), *chosen_) : PlacementPoints();
   const auto picked = chosen_ ? picked_.find(chosen_->bodyId) : picked_.end();

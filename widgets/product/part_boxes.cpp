@@ -49,18 +49,21 @@ QWidget* cellOf(QComboBox* box) {
 }
 
 QComboBox* makeRoleBox(const QString& part, bool mayMove) {
-  QComboBox* role = makeBox("role", PartsDialog::tr("Role of %1").arg(part),
-                            PartsDialog::tr("What the part is in the scenario; all selected rows together"));
+  QComboBox* role =
+      makeBox("role", PartsDialog::tr("Role of %1").arg(part),
+              PartsDialog::tr("What the part does while the path of one part is planned; an assembly plan moves every "
+                              "part. It is set for all selected rows together"));
   const auto add = [role](const QString& label, PartRole value, const QString& tip) {
     role->addItem(label, static_cast<int>(value));
     role->setItemData(role->count() - 1, tip, Qt::ToolTipRole);
   };
   if (mayMove) {
-    add(PartsDialog::tr("Moving part"), PartRole::Moves,
+    add(PartsDialog::tr("Moves: its path is planned"), PartRole::Moves,
         PartsDialog::tr("The part whose path is planned; several move as one"));
   }
-  add(PartsDialog::tr("Static"), PartRole::Static, PartsDialog::tr("Does not move"));
-  add(PartsDialog::tr("Mobile"), PartRole::Mobile, PartsDialog::tr("In the way, but a person could move it"));
+  add(PartsDialog::tr("Stays"), PartRole::Static, PartsDialog::tr("Does not move while another part moves"));
+  add(PartsDialog::tr("Stays, could be moved aside"), PartRole::Mobile,
+      PartsDialog::tr("In the way, but a person could move it"));
   return role;
 }
 

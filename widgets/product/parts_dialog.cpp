@@ -514,7 +514,9 @@ QString PartsDialog::hint() const {
   }
   if (unitGuess_ && unitGuess_->unit == 1.0)
     return tr("The files do not say their unit: by their size it is the metre.");
-  return rows_.size() > 1 ? tr("Select several rows to choose their role, unit or axis together.") : QString();
+  return rows_.size() > 1 ? tr("Roles are for the path of one part; an assembly plan moves every part. Select several "
+                               "rows to choose their role, unit or axis together.")
+                          : QString();
 }
 
 std::vector<PartFile> PartsDialog::parts() const {

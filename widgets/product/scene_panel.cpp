@@ -123,14 +123,15 @@ QTreeWidgetItem* ScenePanel::addBody(QTreeWidgetItem& group, const RigidBody& bo
 void ScenePanel::setScenario(const LoadedScenario& scenario) {
   const QSignalBlocker block(this);
   clear();
-  QTreeWidgetItem* object = addGroup(tr("Object"));
+  const bool isProduct = isAboutProduct(scenario.scenario);
+  QTreeWidgetItem* object = addGroup(isProduct ? tr("Part for a path of its own") : tr("Object"));
   for (const RigidBody& body : scenario.objectBodies) addBody(*object, body, tr("moving part"));
   // The point is the one that the placement shows unless a person chooses another.
   const Vector3 point = placementPoints(scenario, {AssemblyItem::Kind::Start, {}}).fileOrigin;
   const Pose* goal = std::get_if<Pose>(&scenario.problem.goal);
   addEnd(*object, tr("start  %1").arg(place(scenario.problem.start * point)), AssemblyItem::Kind::Start);
   addEnd(*object, tr("goal  %1").arg(goal != nullptr ? place(*goal * point) : tr("removed")), AssemblyItem::Kind::Goal);
-  obstacles_ = addGroup(tr("Obstacles"));
+  obstacles_ = addGroup(isProduct ? tr("Other parts") : tr("Obstacles"));
   addObstacles(scenario);
   addLeftOut(scenario.scenario);
   showDeflections(scenario);
@@ -139,18 +140,13 @@ void ScenePanel::setScenario(const LoadedScenario& scenario) {
 void ScenePanel::addLeftOut(const Scenario& scenario) {
   if (scenario.leftOut.empty()) return;
   QTreeWidgetItem* group = addGroup(tr("Excluded"));
-  std::vector<std::string> ids;
-  std::vector<std::string> paths;
-  for (const BodyDescription* body : allBodiesOf(scenario)) {
-    ids.push_back(body->id.text());
-    paths.push_back(body->name);
-  }
-  const std::vector<std::string> shown = treeOf(scenario).labels(ids);
-  for (std::size_t i = ids.size() - scenario.leftOut.size(); i < ids.size(); ++i) {
+  const std::vector<std::string> shown = shownLeftOut(scenario);
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const BodyDescription& body = scenario.leftOut[i];
     auto* item = new QTreeWidgetItem(group, {QString::fromStdString(shown[i]), tr("excluded")});
     item->setToolTip(
-        0, tr("%1: part of the product's file, and not of this product").arg(QString::fromStdString(paths[i])));
-    item->setData(0, kLeftOutRole, QString::fromStdString(ids[i]));
+        0, tr("%1: part of the product's file, and not of this product").arg(QString::fromStdString(body.name)));
+    item->setData(0, kLeftOutRole, toQString(body.id));
   }
 }
 

@@ -1,8 +1,9 @@
 #include "widgets/run/assist_controller.h"
 
+#include <utility>
+
 #include "engine/base/number_text.h"
 #include "engine/operator/device_registry.h"
-#include "engine/operator/reachable_ahead.h"
 #include "engine/session/grown_roadmap.h"
 #include "widgets/controls/frame_name.h"
 #include "widgets/controls/length_text.h"
@@ -52,7 +53,7 @@ void HandHint::lead(const std::vector<KeyToHold>& keys) {
 /// Writes the lines only if they changed; most snapshots change nothing.
 void HandHint::write() {
   QStringList lines;
-  for (const QString& line : {asked_, lead_, keys()}) {
+  for (const QString& line : {asked_, lead_, toGoal(), keys()}) {
     if (!line.isEmpty()) lines << line;
   }
   const QString text = lines.join(QLatin1Char('\n'));
@@ -61,21 +62,40 @@ void HandHint::write() {
   hint_->write(text);
 }
 
+/// A person leads the object in the run that is shown.
+bool HandHint::isByHand() const {
+  const SnapshotPtr& snapshot = bench_.run.snapshot();
+  return snapshot && bench_.run.isLive() && isRunning(*snapshot) && isPerson(bench_.session.deviceId()) &&
+         followsHand(snapshot->plannerId);
+}
+
+/// The move and the turn from the hand to the goal.
+QString HandHint::toGoal() const {
+  if (!isByHand()) return {};
+  const Pose* goal = std::get_if<Pose>(&bench_.document.scenario()->problem.goal);
+  if (goal == nullptr) return {};
+  const Pose& q = bench_.run.snapshot()->device.q_device;
+  return tr("To the goal: %1").arg(distanceText(q, *goal));
+}
+
 bool HandHint::isByKeys() const {
   const std::string& device = bench_.session.deviceId();
   return device == kAnyDevice || device == "keyboard";
 }
 
 QString HandHint::keys() const {
-  const SnapshotPtr& snapshot = bench_.run.snapshot();
-  if (!snapshot || !bench_.run.isLive() || !isRunning(*snapshot) || !isByKeys()) return {};
+  if (!isByHand() || !isByKeys()) return {};
   if (!bench_.actions["layer.keys"]->isChecked()) return {};
   const auto key = [this](const char* id) {
     return bench_.actions[QLatin1String(id)]->shortcut().toString(QKeySequence::NativeText);
   };
   const MotionFrame frame = bench_.session.hand()->keyboard.shaping.get().frame;
-  const QString keys = tr("A D W S Q E: move · J L I K U O: turn · Shift: slow · F: %1 · %2: camera · %3: help");
-  return keys.arg(frameName(frame), key("operator.camera"), key("assist.go"));
+  const QString moved =
+      bench_.actions["operator.camera"]->isChecked() ? tr("keys move the object again") : tr("keys move the camera");
+  const QString keys =
+      tr("A D W S Q E: move · J L I K U O: turn · Shift: slow · F: change the axes (now: %1) · %2: %3 · "
+         "%4: go where the search is stuck");
+  return keys.arg(frameName(frame), key("operator.camera"), moved, key("assist.go"));
 }
 
 AssistController::AssistController(const Workbench& bench) : QObject(&bench.window), bench_(bench), hint_(bench) {
@@ -100,6 +120,7 @@ void AssistController::show(const HelpPlacesPtr& places) {
   places_ = places && !places->empty() ? places : nullptr;
   chosen_ = 0;
   taken_ = false;
+  guide_.reset();
   sight_.reset();
   object_.reset();
   draw();
@@ -122,6 +143,8 @@ void AssistController::followRun(const SnapshotPtr& snapshot) {
       takeHand();
     }
   }
+  const bool wasRunning = std::exchange(running_, bench_.run.isLive() && isRunning(*snapshot));
+  if (wasRunning && snapshot->state == SessionState::Stopped) show(nullptr);
   if (snapshot->run != run_) nextOffer_ = kFirstOffer;
   if (places_ && (!stuck || snapshot->run != run_)) show(nullptr);
   run_ = snapshot->run;
@@ -151,7 +174,8 @@ BackgroundTask::Work AssistController::search(Then then) {
         helpPlaces(problem, grown.nodes, grown.edges, shown->parameters, shown->seed, wholeWay, kHelpGaps, kGapBudget,
                    watch.part(kWholeWay, 1.0)));
     return [this, then, run = shown->run, places] {
-      if (bench_.session.snapshot()->run != run || !bench_.run.isLive()) return;
+      const SessionSnapshot& now = *bench_.session.snapshot();
+      if (now.run != run || !bench_.run.isLive() || !isStuck(now)) return;
       nextOffer_ = 2.0 * bench_.session.snapshot()->planningSeconds;
       show(places);
       if (places->empty()) bench_.messages.showStatus(tr("No place to help was found."));
@@ -202,6 +226,7 @@ void AssistController::startByHand() {
 
 void AssistController::takeHand() {
   offers_.cancel();
+  guide_.reset();
   taken_ = true;
   bench_.session.post(command::SetDevicePose{(*places_)[chosen_].fromStart});
   bench_.scene.view().setPlaybackPose(std::nullopt);
@@ -237,9 +262,9 @@ void AssistController::lead() {
     const double radius = world.objectRadius();
     if (!sight_) sight_ = pointWorld(world)->makeQuery();
     if (!object_) object_ = world.makeQuery();
+    if (!guide_) guide_.emplace((*places_)[chosen_].passage, Se3Metric(radius), kAheadOnPassage * radius);
     const Pose& q = bench_.session.snapshot()->device.q_device;
-    const std::vector<Pose>& passage = (*places_)[chosen_].passage;
-    ahead = reachableAhead(passage, q, Se3Metric(radius), kAheadOnPassage * radius, *sight_, *object_);
+    ahead = guide_->lead(q, *sight_, *object_);
     const DeviceShaping shaping = bench_.session.hand()->keyboard.shaping.get();
     if (ahead) keys = keysToHold(q, *ahead, shaping, bench_.session.operatorFrame(), radius);
   }

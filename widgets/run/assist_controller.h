@@ -3,6 +3,7 @@
 #include <QTimer>
 
 #include "engine/collision/collision_query.h"
+#include "engine/operator/hand_guide.h"
 #include "widgets/run/difficulty_panel.h"
 #include "widgets/run/hand_lead.h"
 #include "widgets/workbench/scene_hint.h"
@@ -26,7 +27,9 @@ class HandHint final : public QObject {
 
  private:
   void write();
+  bool isByHand() const;
   bool isByKeys() const;
+  QString toGoal() const;
   QString keys() const;
 
   const Workbench& bench_;
@@ -77,10 +80,12 @@ class AssistController final : public QObject {
   HelpPlacesPtr places_;                    ///< null: none is shown
   std::size_t chosen_ = 0;                  ///< index in places_
   bool taken_ = false;                      ///< the hand was taken to the chosen place
+  std::optional<HandGuide> guide_;          ///< along the passage of the chosen place; nothing until a hand is led
   std::unique_ptr<CollisionQuery> sight_;   ///< of pointWorld(); null until a hand is led
   std::unique_ptr<CollisionQuery> object_;  ///< null until a hand is led
   bool starting_ = false;   ///< a run by hand starts; the hand is taken to the chosen place once it runs
   std::uint64_t run_ = 0;   ///< the run that is followed
+  bool running_ = false;    ///< a run is under way
   double nextOffer_ = 0.0;  ///< seconds of planning
   QTimer lead_;             ///< leads the hand at the next timeout, so that people can read the hint
 };

@@ -30,6 +30,8 @@ double roundUp(double value) {
   return 10.0 * decade;
 }
 
+QString secondsText(double seconds) { return QLocale().toString(seconds, 'f', 1) + QStringLiteral(" s"); }
+
 }  // namespace
 
 struct RunCurves::Curve {
@@ -163,15 +165,21 @@ void RunCurves::paintTimes(QPainter& painter) const {
   const QRectF axis(plot.left(), height() - line, plot.width(), line);
   painter.setPen(palette().color(QPalette::WindowText));
   painter.drawText(axis, Qt::AlignLeft | Qt::AlignVCenter, QStringLiteral("0 s"));
-  painter.drawText(axis, Qt::AlignHCenter | Qt::AlignVCenter, tr("Computing time"));
-  painter.drawText(axis, Qt::AlignRight | Qt::AlignVCenter,
-                   QLocale().toString(history_.samples().back().seconds, 'f', 1) + QStringLiteral(" s"));
+  painter.drawText(axis, Qt::AlignHCenter | Qt::AlignVCenter, tr("Duration of the run"));
+  painter.drawText(axis, Qt::AlignRight | Qt::AlignVCenter, secondsText(history_.samples().back().seconds));
 }
 
 CountsPanel::CountsPanel(QWidget* parent) : QWidget(parent), layout_(new QFormLayout(this)) {
   layout_->setVerticalSpacing(3);
   curves_ = new RunCurves(this);
   layout_->addRow(curves_);
+  comparison_ = new QLabel(this);
+  comparison_->setObjectName(QStringLiteral("paper-comparison"));
+  comparison_->setTextFormat(Qt::RichText);
+  comparison_->setWordWrap(true);
+  comparison_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  comparison_->hide();
+  layout_->addRow(comparison_);
   iterations_ = addRow(tr("Iterations"), tr("Passes of the paper's loop"));
   nodes_ = addRow(tr("Nodes"), tr("Nodes of the roadmap"));
   authors_ = new AuthorBar(this);
@@ -182,12 +190,14 @@ CountsPanel::CountsPanel(QWidget* parent) : QWidget(parent), layout_(new QFormLa
   hand_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   hand_->hide();
   layout_->addRow(hand_);
-  edges_ = addRow(tr("Edges"), tr("Both directions, as the papers count"));
+  edges_ = addRow(tr("Edges, both directions"), tr("Each edge counts twice, as in the papers' tables"));
   random_ = addRow(tr("Random configurations"), tr("Drawn by the computer, kept or not"));
   operator_ = addRow(tr("Operator configurations"), tr("Where the operator held the object"));
   contact_ = addRow(tr("Contact configurations"), tr("Drawn on tangent planes, kept or not"));
-  time_ = addRow(tr("Computing time"), tr("Of planning; pauses do not count"));
-  pace_ = addRow(tr("Steps per second"), tr("Planner steps in a second"));
+  duration_ = addRow(tr("Duration of the run"), tr("Includes the person's time; pauses do not count"));
+  time_ = addRow(tr("Processor time"), tr("Time in which the computer planned; the processors' times are added"));
+  pace_ = addRow(tr("Steps per second of the run"), tr("Planner steps in a second of the duration, in which a person "
+                                                       "steers; Pace limits them"));
   mode_ = addRow(tr("Contact mode"), tr("On while contact samples are drawn"));
   nearest_ = addRow(tr("Nearest obstacle"), tr("Of the object in the operator's hand"));
   nearest_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // long names do not widen the panel
@@ -204,7 +214,7 @@ QLabel* CountsPanel::addRow(const QString& label, const QString& tip) {
   return value;
 }
 
-void CountsPanel::setSnapshot(const SessionSnapshot& snapshot, const LoadedScenario& scenario) {
+void CountsPanel::setSnapshot(const SessionSnapshot& snapshot, const LoadedScenario& scenario, SessionClock clock) {
   const PlannerCounts& counts = snapshot.counts;
   iterations_->setText(countText(counts.iterations));
   nodes_->setText(countText(counts.nodes));
@@ -219,8 +229,9 @@ void CountsPanel::setSnapshot(const SessionSnapshot& snapshot, const LoadedScena
   random_->setText(countText(counts.randomConfigurations));
   operator_->setText(countText(counts.operatorConfigurations));
   contact_->setText(countText(counts.contactConfigurations));
-  time_->setText(QLocale().toString(snapshot.virtualSeconds, 'f', 1) + QStringLiteral(" s"));
   const double seconds = snapshot.virtualSeconds;
+  duration_->setText(secondsText(seconds));
+  time_->setText(clock == SessionClock::RealTime ? secondsText(snapshot.planningCpuSeconds) : QStringLiteral("–"));
   pace_->setText(seconds > 0.0 ? countText(static_cast<std::uint64_t>(static_cast<double>(counts.steps) / seconds))
                                : QStringLiteral("–"));
   const NearestObstacle& nearest = snapshot.device.nearest;
@@ -235,6 +246,11 @@ void CountsPanel::setSnapshot(const SessionSnapshot& snapshot, const LoadedScena
   showDistance();
   hand_->setVisible(snapshot.hand.has_value());
   if (snapshot.hand) hand_->setText(handText(*snapshot.hand, snapshot.path != nullptr));
+}
+
+void CountsPanel::setComparison(const QString& html) {
+  comparison_->setText(html);
+  comparison_->setVisible(!html.isEmpty());
 }
 
 QString CountsPanel::handText(const HandReport& hand, bool found) {

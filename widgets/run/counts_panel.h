@@ -11,6 +11,7 @@
 #include "engine/files/scenario.h"
 #include "engine/session/session.h"
 #include "widgets/controls/author_bar.h"
+#include "widgets/document/session_bridge.h"
 #include "widgets/run/run_history.h"
 
 namespace glissade {
@@ -51,7 +52,10 @@ class CountsPanel final : public QWidget {
  public:
   explicit CountsPanel(QWidget* parent = nullptr);
 
-  void setSnapshot(const SessionSnapshot& snapshot, const LoadedScenario& scenario);
+  /// Shows the numbers of a paper beside those of the run, as HTML; empty: none.
+  void setComparison(const QString& html);
+  /// In lockstep no processor time is shown, because it differs from run to run.
+  void setSnapshot(const SessionSnapshot& snapshot, const LoadedScenario& scenario, SessionClock clock);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -71,10 +75,12 @@ class CountsPanel final : public QWidget {
   QLabel* operator_;
   QLabel* contact_;
   QLabel* time_;
+  QLabel* duration_;
   QLabel* pace_;
   QLabel* mode_;
   QLabel* nearest_;
   QLabel* distance_;
+  QLabel* comparison_;
   QLabel* hand_;                         ///< result of the motions that the hand has shown
   std::optional<double> shownDistance_;  ///< metres; none: not known
 };

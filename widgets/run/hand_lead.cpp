@@ -44,15 +44,20 @@ void keepLongest(std::vector<KeyToHold>& keys, double least) {
   keys.erase(std::find_if(keys.begin(), keys.end(), isShort), keys.end());
 }
 
-/// The number with its first digit only.
-double oneDigit(double value) {
-  const double unit = std::pow(10.0, std::floor(std::log10(value)));
+/// The number with its first digits only.
+double withDigits(double value, int digits) {
+  if (value <= 0.0) return 0.0;
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) + 1 - digits);
   return std::round(value / unit) * unit;
 }
 
+QString turnText(double radians, int digits) {
+  const double degrees = withDigits(radians * 180.0 / std::numbers::pi, digits);
+  return QLocale().toString(degrees, 'g', 3) + QStringLiteral("°");
+}
+
 QString wayText(const KeyToHold& key) {
-  if (!isTurn(*key.key)) return lengthText(oneDigit(key.way));
-  return QLocale().toString(oneDigit(key.way * 180.0 / std::numbers::pi), 'g', 3) + QStringLiteral("°");
+  return isTurn(*key.key) ? turnText(key.way, 1) : lengthText(withDigits(key.way, 1));
 }
 
 }  // namespace
@@ -73,6 +78,12 @@ std::vector<KeyToHold> keysToHold(const Pose& from, const Pose& to, const Device
   keepLongest(turns, kLeastWay);
   moves.insert(moves.end(), turns.begin(), turns.end());
   return moves;
+}
+
+QString distanceText(const Pose& from, const Pose& to) {
+  constexpr int kDigits = 2;
+  return lengthText(withDigits((to.position - from.position).norm(), kDigits)) + QStringLiteral(", ") +
+         turnText(angleBetween(from.orientation, to.orientation), kDigits);
 }
 
 QString textOf(const std::vector<KeyToHold>& keys, bool withLetters) {

@@ -24,4 +24,7 @@ std::vector<KeyToHold> keysToHold(const Pose& from, const Pose& to, const Device
 /// they steer. Without letters for devices that have none.
 QString textOf(const std::vector<KeyToHold>& keys, bool withLetters);
 
+/// The move and the turn between two poses, with two digits: "1.3 m, 95°".
+QString distanceText(const Pose& from, const Pose& to);
+
 }  // namespace glissade

@@ -214,7 +214,7 @@ void RunController::keepSettings(const SessionSnapshot& snapshot) {
 void RunController::showRun(const SnapshotPtr& snapshot) {
   interaction_->setSnapshot(*snapshot);
   interaction_->setDevice(bench_.session.deviceId());
-  counts_->setSnapshot(*snapshot, *bench_.document.scenario());
+  counts_->setSnapshot(*snapshot, *bench_.document.scenario(), bench_.session.clock());
   status_->setText(bench_.run.isLive() ? stateText(*snapshot) : bench_.run.replayText());
   markFound(bench_.run.isLive() && snapshot->state == SessionState::Solved && snapshot->run > 0);
   elapsed_->setText(snapshot->run > 0 ? elapsedText(*snapshot) : QString());

@@ -32,6 +32,8 @@ constexpr float kHiddenEdges = 0.30F;
 /// Render bins. OSG draws bins by their number: opaque bodies are in 0, transparent ones in 10.
 constexpr int kHiddenSilhouetteBin = 1;
 constexpr int kMovedBodyBin = 2;
+/// Size of the halo of the moved object, as a multiple of the object.
+constexpr double kHalo = 1.25;
 constexpr float kEdgeWidth = 1.2F;
 constexpr float kHighlightFill = 0.55F;
 constexpr float kHighlightEdges = 2.0F;
@@ -105,6 +107,20 @@ osg::ref_ptr<osg::Group> hiddenSilhouetteOf(const BodyShape& shape, const osg::V
     state->setRenderBinDetails(kHiddenSilhouetteBin, "RenderBin", osg::StateSet::OVERRIDE_RENDERBIN_DETAILS);
   }
   return group;
+}
+
+/// Marks the pixels close around the body, too, so that marks of a search leave its outline free. It draws nothing.
+osg::ref_ptr<osg::MatrixTransform> haloOf(const BodyShape& shape) {
+  const osg::ref_ptr<osg::Group> surface = surfaceOf(shape, osg::Vec4(1.0F, 1.0F, 1.0F, 1.0F));
+  const osg::Vec3d centre(surface->getBound().center());
+  osg::ref_ptr<osg::MatrixTransform> halo = new osg::MatrixTransform(
+      osg::Matrixd::translate(-centre) * osg::Matrixd::scale(kHalo, kHalo, kHalo) * osg::Matrixd::translate(centre));
+  halo->addChild(surface);
+  osg::StateSet* state = halo->getOrCreateStateSet();
+  state->setAttributeAndModes(new osg::ColorMask(false, false, false, false));
+  state->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0.0, 1.0, false));
+  state->setRenderBinDetails(kMovedBodyBin, "RenderBin");
+  return halo;
 }
 
 /// The array of colours that all details share.
@@ -203,9 +219,12 @@ osg::ref_ptr<osg::MatrixTransform> makeMovedBody(const BodyShape& shape, const P
   osg::ref_ptr<osg::MatrixTransform> transform = makeBody(shape, X_WB, colour, DisplayMode::ShadedWithEdges, palette);
   transform->getChild(0)->getOrCreateStateSet()->setRenderBinDetails(kMovedBodyBin, "RenderBin");
   transform->addChild(hiddenSilhouetteOf(shape, colour, palette));
+  transform->addChild(haloOf(shape));
   makeMarking(*transform);
   return transform;
 }
+
+osg::Vec4 bodyColour(osg::MatrixTransform& body) { return coloursOf(*body.getChild(0)->asGroup())->front(); }
 
 void setBodyColour(osg::MatrixTransform& body, const osg::Vec4& colour) {
   osg::Group* details = body.getChild(0)->asGroup();

@@ -34,11 +34,13 @@ osg::ref_ptr<osg::Group> makeGhosts(const BodyShape& shape, const std::vector<Po
 osg::ref_ptr<osg::MatrixTransform> makeHighlight(const BodyShape& shape, const Pose& X_WB, const osg::Vec4& colour,
                                                  const ScenePalette& palette);
 
-/// Makes the object that moves: shaded with edges; its silhouette shows through the bodies before it. Nodes of the
-/// roadmap do not hide it.
+/// Makes the object that moves: shaded with edges; its silhouette shows through the bodies before it. Drawings that
+/// avoid marks, such as the roadmap, leave it and a rim around it free.
 osg::ref_ptr<osg::MatrixTransform> makeMovedBody(const BodyShape& shape, const Pose& X_WB, const osg::Vec4& colour,
                                                  const ScenePalette& palette);
 
+/// The colour of a body that one of these functions made.
+osg::Vec4 bodyColour(osg::MatrixTransform& body);
 /// Changes the colour of a body that one of these functions made; its transparency stays.
 void setBodyColour(osg::MatrixTransform& body, const osg::Vec4& colour);
 

@@ -30,6 +30,7 @@ osg::ref_ptr<osg::Group> makeHelp(const HelpPicture& help, const LoadedScenario&
   marks->addDrawable(makePoints(ends, palette.guidance, kPlaceMark * palette.pixelScale));
   makeDrawing(*marks);
   makeOverlay(*marks);
+  makeAvoidMarks(*marks);
   group->addChild(marks);
   return group;
 }

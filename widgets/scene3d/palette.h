@@ -26,6 +26,7 @@ struct ScenePalette {
   osg::Vec4 path;
   osg::Vec4 selection;
   osg::Vec4 stepPart;  ///< bodies that a step of the plan moves
+  osg::Vec4 stepWay;   ///< their motion
   osg::Vec4 start;
   osg::Vec4 goal;
   osg::Vec4 contact;
@@ -54,6 +55,7 @@ inline ScenePalette paletteOf(Theme theme) {
   palette.path = osg::Vec4(0.84f, 0.37f, 0.0f, 1);
   palette.selection = dark ? osg::Vec4(0.45f, 1.0f, 0.95f, 1) : osg::Vec4(0.0f, 0.68f, 0.94f, 1);
   palette.stepPart = dark ? osg::Vec4(0.94f, 0.89f, 0.26f, 1) : osg::Vec4(0.90f, 0.62f, 0.0f, 1);
+  palette.stepWay = dark ? osg::Vec4(0.84f, 0.37f, 0.0f, 1) : osg::Vec4(0.0f, 0.45f, 0.70f, 1);
   palette.start = dark ? osg::Vec4(0.34f, 0.71f, 0.91f, 1) : osg::Vec4(0.0f, 0.38f, 0.63f, 1);
   palette.goal = dark ? osg::Vec4(0.94f, 0.89f, 0.26f, 1) : osg::Vec4(0.75f, 0.47f, 0.0f, 1);
   palette.contact = osg::Vec4(0.0f, 0.62f, 0.45f, 1);

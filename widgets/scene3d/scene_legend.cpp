@@ -56,7 +56,7 @@ class LegendMaker {
   }
 
   void addEnds() {
-    if (isDrawn(SceneLayer::Object)) add(LegendItem::Object, LegendMark::Fill, impl_.scenario->object.colour);
+    if (isDrawn(SceneLayer::Object)) add(LegendItem::Object, LegendMark::Fill, bodyColour(*impl_.object));
     if (isDrawn(SceneLayer::StartAndGoal)) {
       add(LegendItem::Start, LegendMark::Fill, palette_.start);
       if (std::holds_alternative<Pose>(impl_.scenario->problem.goal)) {
@@ -124,7 +124,7 @@ class LegendMaker {
     if (std::any_of(bodies.begin(), bodies.end(), [](const SequenceBody& body) { return body.marked && body.shown; })) {
       add(LegendItem::MovingPart, LegendMark::Fill, palette_.stepPart);
     }
-    if (impl_.sequence.way.size() > 1) add(LegendItem::WayOfPart, LegendMark::Line, palette_.path);
+    if (impl_.sequence.way.size() > 1) add(LegendItem::WayOfPart, LegendMark::Line, palette_.stepWay);
   }
 
   void addEnvironment() {
@@ -179,9 +179,7 @@ class LegendMaker {
     add(LegendItem::RefusedEnd, LegendMark::Fill, palette_.path);
   }
 
-  bool hasSelection() const {
-    return impl_.visible(SceneLayer::Selection) && !impl_.environment.selectedBodies.empty();
-  }
+  bool hasSelection() const { return impl_.visible(SceneLayer::Selection) && impl_.showsSelected(); }
 
   const SceneView::Impl& impl_;
   const ScenePalette& palette_;

@@ -129,8 +129,8 @@ struct SceneView::Impl {
     if (!scenario) return;
     for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) {
       const RigidBody& body = scenario->obstacles[i];
-      const bool isSelected = environment.selectedBodies.count(body.id) != 0;
-      if (!(isSelected || isMarked(i)) || !isDrawn(i) || inHand.count(i) != 0) continue;
+      if (!isMarked(i) && !isSelected(body.id)) continue;
+      if (!isDrawn(i) || inHand.count(i) != 0) continue;
       const osg::Vec4& colour = isMarked(i) ? palette.stepPart : palette.selection;
       layer(SceneLayer::Selection).addChild(makeHighlight(shapes.of(body.mesh), poseOf(i), colour, palette));
     }
@@ -140,12 +140,25 @@ struct SceneView::Impl {
     if (sequence.bodies.empty()) return;
     for (std::size_t i = 0; i < scenario->objectBodies.size(); ++i) {
       const bool isOfStep = isMarked(scenario->obstacles.size() + i);
-      if (!isOfStep && environment.selectedBodies.count(scenario->objectBodies[i].id) == 0) continue;
+      if (!isOfStep && !isSelected(scenario->objectBodies[i].id)) continue;
       const BodyShape& shape = shapes.of(scenario->objectBodies[i].mesh);
       const osg::Vec4& colour = isOfStep ? palette.stepPart : palette.selection;
       layer(SceneLayer::Selection).addChild(makeHighlight(shape, inSequence(i).X_WB, colour, palette));
     }
     if (sequence.way.size() > 1) layer(SceneLayer::Selection).addChild(makeWay());
+  }
+
+  bool isSelected(const BodyId& body) const { return environment.selectedBodies.count(body) != 0; }
+
+  /// Whether a body is drawn in the colour of the selection.
+  bool showsSelected() const {
+    for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) {
+      if (isSelected(scenario->obstacles[i].id) && !isMarked(i) && isDrawn(i)) return true;
+    }
+    for (std::size_t i = 0; !sequence.bodies.empty() && i < scenario->objectBodies.size(); ++i) {
+      if (isSelected(scenario->objectBodies[i].id) && !isMarked(scenario->obstacles.size() + i)) return true;
+    }
+    return false;
   }
 
   /// A body of the object as the plan has it.
@@ -167,7 +180,7 @@ struct SceneView::Impl {
 
   osg::ref_ptr<osg::Geode> makeWay() const {
     osg::ref_ptr<osg::Geode> geode = new osg::Geode;
-    addLinesSeenThrough(sequence.way, LineKind::Strip, palette.path, 2.5F * palette.pixelScale, *geode);
+    addLinesSeenThrough(sequence.way, LineKind::Strip, palette.stepWay, 2.5F * palette.pixelScale, *geode);
     makeUnlit(*geode);
     makeTransparent(*geode);
     return geode;

@@ -1,5 +1,7 @@
 #include "widgets/sequence/instruction_job.h"
 
+#include <QDateTime>
+#include <QLocale>
 #include <QTemporaryDir>
 
 #include <algorithm>
@@ -10,6 +12,7 @@
 #include "engine/documents/plan_report.h"
 #include "engine/files/plan_glb.h"
 #include "engine/files/product_name.h"
+#include "engine/files/scenario_bodies.h"
 #include "engine/sequence/exploded_view.h"
 #include "widgets/controls/diagnostic_text.h"
 #include "widgets/controls/length_text.h"
@@ -51,6 +54,15 @@ LineTexts textsOf(const LineAccess& access, const std::vector<RigidBody>& bodies
   return texts;
 }
 
+/// The date of making. Builds that are to be repeated state another one (reproducible-builds.org).
+QString imprint(Language language) {
+  bool isStated = false;
+  const qint64 stated = qEnvironmentVariable("SOURCE_DATE_EPOCH").toLongLong(&isStated);
+  const QDate date = isStated ? QDateTime::fromSecsSinceEpoch(stated, Qt::UTC).date() : QDate::currentDate();
+  const QLocale locale(language == Language::French ? QLocale::French : QLocale::English);
+  return locale.toString(date, QLocale::LongFormat);
+}
+
 bool isPdf(const QString& file) { return file.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive); }
 
 }  // namespace
@@ -70,7 +82,8 @@ void InstructionJob::start(PlanDocument document, const QString& file, Finished 
   content->check = shown.check;
   content->said = sequence_.statedDemands(*shown.product);
   if (shown.access) content->access = textsOf(*shown.access, shown.product->bodies);
-  content->title = nameOfProduct(*bench_.document.scenario());
+  const Scenario& scenario = bench_.document.scenario()->scenario;
+  content->heading = {nameOfProduct(*bench_.document.scenario()), {}, shownLeftOut(scenario)};
   content->deviation = surfaceDeviation(*bench_.document.scenario());
   content->missing = bench_.document.scenario()->missing;
   content->times = sequence_.workTimes().times();
@@ -78,6 +91,7 @@ void InstructionJob::start(PlanDocument document, const QString& file, Finished 
   content->paper = sequence_.instructions().paper();
   content->language = windowLanguage();
   if (document == PlanDocument::Instruction) content->language = content->look.language.value_or(content->language);
+  content->heading.imprint = imprint(content->language).toStdString();
   content->file = file;
   const QString what = document == PlanDocument::Instruction ? tr("Writing the work instruction")
                                                              : tr("Writing the report of the sequence");
@@ -94,8 +108,8 @@ void InstructionJob::start(PlanDocument document, const QString& file, Finished 
 }
 
 SaveResult InstructionJob::writeInstruction(const Content& content, const WorkWatch& watch) const {
-  const WorkInstruction instruction =
-      workInstruction(*content.plan, *content.product, content.title, content.words(), watch.part(0.0, kChoosingViews));
+  const WorkInstruction instruction = workInstruction(*content.plan, *content.product, content.heading, content.words(),
+                                                      watch.part(0.0, kChoosingViews));
   const WorkWatch drawing = watch.part(kChoosingViews, 1.0);
   const StepDrawer drawer(*content.product);
   if (isPdf(content.file)) {
@@ -103,7 +117,7 @@ SaveResult InstructionJob::writeInstruction(const Content& content, const WorkWa
   }
   const InstructionPictures pictures = instructionPictures(instruction, drawer, drawing);
   if (watch.stop.stopRequested()) return cancelled(content.file);
-  const auto glb = planAsGlb(*content.plan, *content.product, PlanOrder::Assembly, content.title);
+  const auto glb = planAsGlb(*content.plan, *content.product, PlanOrder::Assembly, content.heading.title);
   const auto scene = glb ? instructionScene(*glb) : Result<InstructionScene>(glb.error());
   const auto page = instructionHtml(instruction, content.look, pictures, scene ? &*scene : nullptr);
   if (!page) return notSaved(page.error());
@@ -119,10 +133,10 @@ SaveResult InstructionJob::writeReport(Content& content, const WorkWatch& watch)
   const auto pathOf = [&](const QString& name) { return folder.filePath(name + QStringLiteral(".png")); };
   const PlanWords words = content.words();
   const WorkInstruction instruction =
-      workInstruction(plan, *content.product, content.title, words, watch.part(0.0, kChoosingViews));
+      workInstruction(plan, *content.product, content.heading, words, watch.part(0.0, kChoosingViews));
   const StepDrawer drawer(*content.product);
   PlanReportContent report{
-      plan, *content.product, content.title, content.deviation, content.missing, content.check.steps};
+      plan, *content.product, content.heading.title, content.deviation, content.missing, content.check.steps};
   for (const Message& each : content.check.conditions) report.conditions.push_back(engineText(each).toStdString());
   report.access = content.access;
   const auto add = [&](const QImage& picture, const QString& name, std::string& file) {

@@ -6,6 +6,7 @@
 
 #include "engine/base/file_save.h"
 #include "engine/documents/instruction/instruction_template.h"
+#include "engine/documents/instruction/work_instruction.h"
 #include "engine/documents/plan_report.h"
 #include "engine/documents/plan_words.h"
 #include "engine/sequence/work_times.h"
@@ -43,7 +44,7 @@ class InstructionJob final : public QObject {
     PlanCheck check;
     SequenceDemands said;
     LineTexts access;  ///< no steps: access was not checked
-    std::string title;
+    InstructionHeading heading;
     double deviation = 0.0;
     MissingShapes missing{};
     WorkTimes times;

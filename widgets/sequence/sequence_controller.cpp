@@ -21,6 +21,7 @@
 #include "widgets/sequence/plan_graph_view.h"
 #include "widgets/sequence/sequence_output.h"
 #include "widgets/sequence/sequence_script.h"
+#include "widgets/sequence/step_turns.h"
 #include "widgets/sequence/stuck_marks.h"
 #include "widgets/workbench/proposed_file.h"
 
@@ -93,6 +94,7 @@ SequenceController::SequenceController(const Workbench& bench)
   connect(&settling_, &QTimer::timeout, this, [this] { startPlanning(false, std::nullopt); });
   connectActions();
   enableActions();
+  new StepTurns(bench, *this);
   addSequenceCommands(bench, *this);
 }
 
@@ -186,6 +188,7 @@ void SequenceController::takeGrown(const GrownPlan& grown, bool growing) {
   next.held = grown.held;
   if (!growing) next.before = nullptr;
   next.access = nullptr;
+  next.views.clear();
   for (const auto& [body, seconds] : grown.foundAfter) next.foundAfter[body] = seconds;
   next.check = {};
   const bool unfinished = growing || next.plan->end == PlanEnd::Interrupted;
@@ -205,6 +208,14 @@ void SequenceController::note(const PlanPtr& plan, const PlanCheck& check, const
   ShownPlan next = shown();
   next.check = check;
   next.access = access;
+  setPlan(next);
+  remember();
+}
+
+void SequenceController::noteViews(const PlanPtr& plan, const std::vector<Viewpoint>& views) {
+  if (plan != shown().plan || shown().growing) return;
+  ShownPlan next = shown();
+  next.views = views;
   setPlan(next);
   remember();
 }

@@ -41,6 +41,8 @@ class SequenceController final : public QObject {
   void showRemembered() { followArrangement(false); }
   /// Keeps the result of the independent check of this plan, and of the access check.
   void note(const PlanPtr& plan, const PlanCheck& check, const PlanAccessPtr& access);
+  /// Keeps how the product lies in each step of this plan.
+  void noteViews(const PlanPtr& plan, const std::vector<Viewpoint>& views);
   /// The demands that the document holds about the product.
   SequenceDemands statedDemands(const AssembledProduct& product) const;
   /// Chooses the row of this body when the next plan is shown.

@@ -197,14 +197,19 @@ void SequencePanel::setPlan(const ShownPlan& shown) {
   emit selectionChanged();
 }
 
-/// The number of parts that leave, and of certified motions.
-QString SequencePanel::leaving(const AssemblyPlan& plan) {
+/// The number of parts that have a step, how many of them stay in groups, and the certified motions.
+QString SequencePanel::leaving(const AssemblyPlan& plan) const {
   const auto removed = static_cast<int>(plan.removed());
   const auto open = static_cast<int>(plan.removedWithoutProof());
-  if (removed == 0) return tr("0 of %1 parts removed.").arg(plan.parts());
-  if (open == 0) return tr("%n of %1 parts removed, every motion certified.", "", removed).arg(plan.parts());
-  return tr("%n of %1 parts removed,", "", removed).arg(plan.parts()) + QLatin1Char(' ') +
-         tr("%n of them without a certificate.", "", open);
+  const auto joined = static_cast<int>(plan.removed() - bodiesApart(plan));
+  QStringList facts{(order_ == PlanOrder::Assembly ? tr("%n of %1 parts assembled", "", removed)
+                                                   : tr("%n of %1 parts removed", "", removed))
+                        .arg(plan.parts())};
+  if (joined > 0) facts << tr("%n of them in groups that stay together", "", joined);
+  if (removed > 0) {
+    facts << (open == 0 ? tr("every motion certified") : tr("%n without a certificate", "", open));
+  }
+  return facts.join(QStringLiteral(", ")) + QLatin1Char('.');
 }
 
 QString SequencePanel::stuckText(const AssemblyPlan& plan) {
@@ -270,8 +275,8 @@ QString SequencePanel::summary() const {
   const auto forced = std::count_if(plan.steps.begin(), plan.steps.end(),
                                     [](const AssemblyStep& step) { return !step.violates.empty(); });
   if (forced > 0) text += QLatin1Char(' ') + tr("%n forced.", "", static_cast<int>(forced));
-  const auto joined = static_cast<int>(plan.removed() - bodiesApart(plan));
-  if (joined > 0) text += QLatin1Char(' ') + tr("%n in groups that are not disassembled.", "", joined);
+  const QString isolated = QString::fromStdString(windowPlanWords().isolated(plan, *shown_.product));
+  if (!isolated.isEmpty()) text += QLatin1Char(' ') + isolated;
   const auto& checks = shown_.check.steps;
   const auto refuted = std::count(checks.begin(), checks.end(), StepCheck::Disagrees);
   if (refuted > 0) text += QLatin1Char(' ') + tr("%n step(s) are no longer valid.", "", static_cast<int>(refuted));

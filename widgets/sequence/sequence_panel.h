@@ -98,7 +98,7 @@ class SequencePanel final : public QWidget {
   /// The row of the step that is shown; -1 before the first one.
   int shownRow() const;
   void markRow();
-  static QString leaving(const AssemblyPlan& plan);
+  QString leaving(const AssemblyPlan& plan) const;
   static QString stuckText(const AssemblyPlan& plan);
   QString summary() const;
   QString baseText() const;

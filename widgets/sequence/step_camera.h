@@ -12,8 +12,9 @@ namespace glissade {
 
 class SequenceController;
 
-/// Turns the camera to a view of a step's part when a person chooses the step and the part is hidden. If the part is
-/// visible, the camera stays.
+/// Fits the view to the whole motion of a step's parts when the step is chosen, and to the motions of all steps when
+/// they are played, as long as no person has moved the camera since the last fit. Turns the camera to a view of a
+/// hidden part when a person chooses its step.
 class StepCamera final : public QObject {
   Q_OBJECT
 
@@ -34,6 +35,12 @@ class StepCamera final : public QObject {
   };
 
   void look(int step);
+  void fitAll();
+  void fit(const Box3& box);
+  Box3 boxOfStep(std::size_t step) const;
+  Box3 placeOf(std::size_t body) const;
+  Box3 wayOf(const AssemblyStep& step) const;
+  BodySet presentAt(std::size_t step) const;
 
   const Workbench& bench_;
   SequenceController& sequence_;

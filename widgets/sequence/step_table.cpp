@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <climits>
 
+#include "engine/documents/instruction/instruction_words.h"
 #include "engine/documents/plan_tasks.h"
 #include "engine/sequence/demand_edits.h"
 #include "engine/sequence/plan_bodies.h"
@@ -113,6 +114,11 @@ QString markOf(const StepDemands& demands, const AssemblyStep& step) {
   return marks.join(QStringLiteral(", "));
 }
 
+bool isIsolated(const AssemblyStep& step, const AssemblyPlan& plan) {
+  const BodyId& body = step.motions.front().body;
+  return std::find(plan.isolated.begin(), plan.isolated.end(), body) != plan.isolated.end();
+}
+
 QString methodsOf(const AssemblyStep& step) {
   QStringList methods;
   for (const StepMotion& motion : step.motions) methods << engineText(methodInWords(motion.method));
@@ -133,8 +139,9 @@ StepTable::StepTable(IconOf iconOf, QWidget* parent) : QTreeWidget(parent), icon
   setColumnCount(StepColumns);
   setHeaderLabels({tr("No."), twoLines(tr("Part"), tr("Motion")), twoLines(tr("Clearance"), tr("Allowance")),
                    twoLines(tr("Tool"), tr("Support")), tr("State")});
-  headerItem()->setToolTip(StepGaps, tr("Above: smallest distance to other parts. Below: the largest allowance of the "
-                                        "step; its tool tip lists all"));
+  headerItem()->setToolTip(StepGaps,
+                           tr("Above: smallest distance to other parts on the motion. Below: how much thinner "
+                              "the part counts where the file lets parts touch or overlap, such as a fit"));
   headerItem()->setToolTip(
       StepTools, tr("Above: the tool that turns the fastener, and what blocks it. Below: parts that need support "
                     "because they would tip or fall, or the constraints that a forced step violates"));
@@ -198,7 +205,8 @@ void StepTable::fitColumns() {
   const int inside = width() - 2 * frameWidth() - style()->pixelMetric(QStyle::PM_ScrollBarExtent);
   const int left = inside - used;
   const int tools = std::max(sizeHintForColumn(StepTools), header()->sectionSizeHint(StepTools));
-  const int most = std::max(kPartColumn, left - tools);  // what the tools leave free
+  const int wanted = std::clamp(sizeHintForColumn(StepPart), kLeastPartColumn, kPartColumn);
+  const int most = std::max(wanted, left - tools);  // what the tools leave free
   const int part = std::clamp(left - columnWidth(StepGaps), kLeastPartColumn, most);
   setColumnWidth(StepPart, part);
   setColumnWidth(StepTools, std::max(kLeastToolColumn, left - part));
@@ -235,34 +243,57 @@ void StepTable::addStep(std::size_t place) {
   setIcon(*row, motionsOf(step, PlanOrder::Assembly).front()->body);
   const QString motion = QString::fromStdString(words.motion(step, order_));
   const QString work = QString::fromStdString(words.work(step, *shown_.product, order_));
-  row->setText(StepPart, twoLines(QString::fromStdString(nameOfStep(step, *shown_.product)), work));
-  const QString told = work == motion ? motion : twoLines(work, motion);
-  row->setToolTip(StepPart, twoLines(allNames(step.bodies()), told));
+  const QString turn = turnBefore(place);
+  row->setText(StepPart, twoLines(QString::fromStdString(nameOfStep(step, *shown_.product)),
+                                  turn.isEmpty() ? work : turn + QLatin1Char(' ') + work));
+  QStringList told{allNames(step.bodies()), turn, work, motion};
+  told.removeAll(QString());
+  told.removeDuplicates();
+  row->setToolTip(StepPart, told.join(QLatin1Char('\n')));
   showGaps(*row, i);
-  const StepMotion& opening = step.opening();
-  const QString forced = joinedTexts(words.violations(step, *shown_.product), QStringLiteral("; "));
-  const QString standing = QString::fromStdString(words.standing(step, *shown_.product));
-  row->setText(StepTools, twoLines(QString::fromStdString(words.tool(opening, *shown_.product)),
-                                   forced.isEmpty() ? standing : tr("forced: %1").arg(forced)));
-  if (!forced.isEmpty()) row->setForeground(StepTools, palette().brush(QPalette::BrightText));
-  row->setToolTip(StepTools,
-                  (QStringList{row->text(StepTools), allNames(opening.tool.blockedBy), allNames(step.falling())})
-                      .join(QLatin1Char('\n'))
-                      .trimmed());
+  showSupport(*row, step);
   const auto& checks = shown_.check.steps;
   const StepCheck check = i < checks.size() ? checks[i] : StepCheck::NotAsked;
   const MotionAccess* access = shown_.access ? &shown_.access->steps[i] : nullptr;
   const QStringList inside = access != nullptr ? unreachedInside(i) : QStringList();
   QStringList marks{access != nullptr ? accessMark(*access) : QString(),
                     inside.isEmpty() ? QString() : tr("%n inside not reached", "", inside.size()),
+                    isIsolated(step, *shown_.plan) ? tr("touches nothing") : QString(),
                     markOf(demandsOn(step.bodies(), shown_.plan->demands), step)};
   marks.removeAll(QString());
   row->setText(StepState, twoLines(checkText(check), marks.join(QStringLiteral(", "))));
   QStringList tips{checkTip(check), tr("found by %1").arg(methodsOf(step))};
+  if (isIsolated(step, *shown_.plan)) tips << tr("The part touches nothing: it may lie beside the product.");
   if (access != nullptr) tips << accessText(*access, shown_.product->bodies) << inside;
   const double after = foundAfter(step);
   if (after > 0.0) tips << tr("found after %1 s of computing").arg(QLocale().toString(after, 'f', 1));
   row->setToolTip(StepState, tips.join(QLatin1Char('\n')));
+}
+
+/// How the product is turned before the step of this row; empty: it lies as before.
+QString StepTable::turnBefore(std::size_t place) const {
+  if (shown_.views.empty()) return {};
+  const auto viewAt = [this](std::size_t row) {
+    return shown_.views[order_ == PlanOrder::Assembly ? shown_.views.size() - 1 - row : row];
+  };
+  const Viewpoint before = place == 0 ? Viewpoint() : viewAt(place - 1);
+  return QString::fromStdString(turnSentence(before, viewAt(place), windowPlanWords().words()));
+}
+
+/// Shows the tool of the step, and the parts that need support or the rules that it violates.
+void StepTable::showSupport(QTreeWidgetItem& row, const AssemblyStep& step) const {
+  const PlanWords words = windowPlanWords();
+  const StepMotion& opening = step.opening();
+  const QString tool = QString::fromStdString(words.tool(opening, *shown_.product));
+  const QString violated = joinedTexts(words.violations(step, *shown_.product), QStringLiteral("; "));
+  const QString forced = violated.isEmpty() ? QString() : tr("forced: %1").arg(violated);
+  const QString standing = QString::fromStdString(words.standing(step, *shown_.product));
+  row.setText(StepTools, twoLines(tool, forced.isEmpty() ? standing : forced));
+  if (!forced.isEmpty()) row.setForeground(StepTools, palette().brush(QPalette::BrightText));
+  QStringList tips{tool, allNames(opening.tool.blockedBy), forced,
+                   QString::fromStdString(words.support(step, *shown_.product, order_))};
+  tips.removeAll(QString());
+  row.setToolTip(StepTools, tips.join(QLatin1Char('\n')));
 }
 
 /// Shows the smallest clearance and the largest allowance of the step's motions.
@@ -275,14 +306,23 @@ void StepTable::showGaps(QTreeWidgetItem& row, std::size_t step) const {
     allowances.insert(allowances.end(), own.begin(), own.end());
     const StepProof& proof = motion->proof;
     if (proof.nearest.empty()) continue;
-    tips << tr("certified %1; smallest %2 to %3")
-                .arg(lengthText(proof.provedClearance), lengthText(proof.minClearance), nameOf(proof.nearest));
+    tips << tr("Clearance: the smallest distance on the whole motion is %1, to %2; at least %3 is certified. It is "
+               "certified because it is not below the required clearance.")
+                .arg(lengthText(proof.minClearance), nameOf(proof.nearest), lengthText(proof.provedClearance));
     if (least == nullptr || proof.minClearance < least->minClearance) least = &proof;
   }
   row.setText(StepGaps, twoLines(least != nullptr ? columnLengthText(least->minClearance) : QStringLiteral("–"),
                                  largestAllowanceText(allowances)));
   row.setTextAlignment(StepGaps, Qt::AlignRight | Qt::AlignVCenter);
-  tips << joinedTexts(windowPlanWords().allowances(allowances, *shown_.product), QStringLiteral("\n"));
+  const QString allowed = joinedTexts(windowPlanWords().allowances(allowances, *shown_.product), QStringLiteral("\n"));
+  if (!allowed.isEmpty()) {
+    tips
+        << tr("Allowance: the file lets these parts touch or overlap, so that the moving part counts as thinner by "
+              "this "
+              "length against them. An allowance above the clearance is usual for a fit; the clearance is what is left "
+              "beside it.")
+        << allowed;
+  }
   row.setToolTip(StepGaps, tips.join(QLatin1Char('\n')));
 }
 

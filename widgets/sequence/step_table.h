@@ -10,6 +10,7 @@
 
 #include "engine/access/plan_access.h"
 #include "engine/documents/plan_words.h"
+#include "engine/sequence/step_view.h"
 #include "widgets/document/sequence_planner.h"
 
 namespace glissade {
@@ -27,6 +28,7 @@ struct ShownPlan {
   PlanPtr before{};                     ///< the earlier plan, which is shown grey while `plan` grows; null: none
   std::vector<HeldByBase> held{};       ///< why bodies stay with the base; empty: none does, or it is not known
   bool isWaiting = false;               ///< planning begins once the edits have settled
+  std::vector<Viewpoint> views{};       ///< how the product lies in each step; empty: not known
 };
 
 /// Steps of an assembly plan, two lines for each row, and stuck parts with the whole reason. Steps can be dragged to
@@ -67,6 +69,8 @@ class StepTable final : public QTreeWidget {
 
  private:
   void addStep(std::size_t place);
+  QString turnBefore(std::size_t place) const;
+  void showSupport(QTreeWidgetItem& row, const AssemblyStep& step) const;
   void showGaps(QTreeWidgetItem& row, std::size_t step) const;
   double foundAfter(const AssemblyStep& step) const;
   void addStuck(const StuckBody& stuck);

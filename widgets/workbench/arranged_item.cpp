@@ -42,11 +42,14 @@ void drawItemAt(const AssemblyItem& item, const Pose& X_WB, const LoadedScenario
   }
 }
 
-QString nameOf(const AssemblyItem& item) {
+QString nameOf(const AssemblyItem& item, const LoadedScenario& scenario) {
   switch (item.kind) {
     case AssemblyItem::Kind::Start: return QCoreApplication::translate("Arranging", "the start");
     case AssemblyItem::Kind::Goal: return QCoreApplication::translate("Arranging", "the goal");
     case AssemblyItem::Kind::Body: break;
+  }
+  for (const RigidBody& body : scenario.obstacles) {
+    if (body.id == item.bodyId) return QString::fromStdString(body.shown());
   }
   return toQString(item.bodyId);
 }

@@ -23,7 +23,7 @@ std::optional<ItemHit> itemAt(const LoadedScenario& scenario, const SceneView& v
 /// Draws an item at X_WB without changing the scenario.
 void drawItemAt(const AssemblyItem& item, const Pose& X_WB, const LoadedScenario& scenario, SceneView& view);
 
-/// The item's name for people.
-QString nameOf(const AssemblyItem& item);
+/// The item's name for people: the displayed name of a body, the id of a description of several bodies.
+QString nameOf(const AssemblyItem& item, const LoadedScenario& scenario);
 
 }  // namespace glissade

@@ -116,14 +116,16 @@ class Page {
     for (const PartsListRow& row : instruction_.parts) parts += row.count;
     std::string tools;
     for (const std::string& tool : instruction_.tools) tools += (tools.empty() ? "" : " · ") + tool;
+    std::string statements;
+    for (const std::string& statement : instruction_.statements) statements += paragraph("", statement);
     out_ += "<section>\n<div class=\"top\"><div class=\"words\">\n" + paragraph("work", instruction_.title) +
+            (instruction_.imprint.empty() ? std::string() : paragraph("soft", instruction_.imprint)) +
             paragraph("", say(GLISSADE_TEXT("%1 {1|part|parts}, %2 {2|step|steps}"),
                               {std::to_string(parts), std::to_string(instruction_.steps)})) +
             (tools.empty() ? std::string() : paragraph("", say(GLISSADE_TEXT("Tools: %1"), {tools}))) +
             (instruction_.incomplete.empty() ? std::string() : paragraph("work", instruction_.incomplete)) +
-            (instruction_.clashes.empty() ? std::string() : paragraph("", instruction_.clashes)) + "</div></div>\n" +
-            "<div class=\"picture\">" + image("image/png", pictures_.finished, instruction_.title) +
-            "</div>\n</section>\n";
+            statements + "</div></div>\n" + "<div class=\"picture\">" +
+            image("image/png", pictures_.finished, instruction_.title) + "</div>\n</section>\n";
   }
 
   std::string cell(PartsColumn column, const PartsListRow& row) const {

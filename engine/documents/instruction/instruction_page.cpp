@@ -101,7 +101,9 @@ InstructionPage PageMaker::cover() const {
   made.texts.push_back(
       {{area.x, area.y + 2.0, area.width, 14.0}, instruction_.title, kTitlePoints, true, PageText::Align::Left});
   made.texts.push_back({{area.x, area.y + 17.0, area.width, 10.0},
-                        say(GLISSADE_TEXT("Work instruction")),
+                        instruction_.imprint.empty()
+                            ? say(GLISSADE_TEXT("Work instruction"))
+                            : say(GLISSADE_TEXT("Work instruction")) + " · " + instruction_.imprint,
                         14.0,
                         false,
                         PageText::Align::Left,
@@ -115,13 +117,12 @@ InstructionPage PageMaker::cover() const {
                           false,
                           true});
   }
-  const std::string& clashes = instruction_.clashes;
-  const double ofClashes =
-      clashes.empty() ? 0.0 : kLine * static_cast<double>(linesOf(clashes, kNotePoints, false, area.width)) + 2.0;
-  if (!clashes.empty()) {
-    made.texts.push_back({{area.x, area.y + kTitle, area.width, ofClashes}, clashes, kNotePoints});
+  double head = kTitle;
+  for (const std::string& statement : instruction_.statements) {
+    const double height = kLine * static_cast<double>(linesOf(statement, kNotePoints, false, area.width)) + 2.0;
+    made.texts.push_back({{area.x, area.y + head, area.width, height}, statement, kNotePoints});
+    head += height;
   }
-  const double head = kTitle + ofClashes;
   made.pictures.push_back({{area.x, area.y + head, area.width, area.height - head - kFacts}, std::nullopt});
   std::size_t parts = 0;
   for (const PartsListRow& row : instruction_.parts) parts += row.count;

@@ -35,14 +35,15 @@ class Instructor {
   Instructor(const AssemblyPlan& plan, const AssembledProduct& product, const PlanWords& words, const WorkWatch& watch)
       : plan_(plan), product_(product), words_(words), watch_(watch), view_(product) {}
 
-  WorkInstruction instruct(const std::string& title) {
+  WorkInstruction instruct(const InstructionHeading& heading) {
     made_.language = words_.words().language();
-    made_.title = title;
+    made_.title = heading.title;
+    made_.imprint = heading.imprint;
     made_.steps = plan_.steps.size();
     made_.bodies = idsOf(product_.bodies);
     made_.parts = partsList(plan_, product_);
     made_.incomplete = partsWithoutStep();
-    made_.clashes = acceptedClashes();
+    addStatements(heading.excluded);
     std::set<BodyId> leaving;
     for (const AssemblyStep& step : plan_.steps) {
       for (const BodyId& id : step.bodies()) leaving.insert(id);
@@ -68,6 +69,15 @@ class Instructor {
       if (row.withoutStep > 0) names += (names.empty() ? "" : ", ") + countedName(partName(row), row.withoutStep);
     }
     return names.empty() ? names : say(GLISSADE_TEXT("Incomplete: the plan has no step for %1."), {names});
+  }
+
+  void addStatements(const std::vector<std::string>& excluded) {
+    std::string names;
+    for (const std::string& name : excluded) names += (names.empty() ? "" : ", ") + name;
+    if (!names.empty()) names = say(GLISSADE_TEXT("Excluded, without a step: %1"), {names});
+    for (const std::string& statement : {acceptedClashes(), words_.isolated(plan_, product_), names}) {
+      if (!statement.empty()) made_.statements.push_back(statement);
+    }
   }
 
   /// The pairs of two kinds of parts between which a clash is accepted.
@@ -336,9 +346,20 @@ class Instructor {
 
 }  // namespace
 
-WorkInstruction workInstruction(const AssemblyPlan& plan, const AssembledProduct& product, const std::string& title,
-                                const PlanWords& words, const WorkWatch& watch) {
-  return Instructor(plan, product, words, watch).instruct(title);
+WorkInstruction workInstruction(const AssemblyPlan& plan, const AssembledProduct& product,
+                                const InstructionHeading& heading, const PlanWords& words, const WorkWatch& watch) {
+  return Instructor(plan, product, words, watch).instruct(heading);
+}
+
+std::vector<Viewpoint> viewsOfSteps(const WorkInstruction& instruction, const AssemblyPlan& plan) {
+  std::map<BodyId, Viewpoint> viewOf;
+  for (const InstructionPanel& panel : instruction.panels) {
+    if (!panel.subassembly.empty()) continue;
+    for (const AssemblyStep& step : panel.steps) viewOf[step.motions.front().body] = panel.view;
+  }
+  std::vector<Viewpoint> views;
+  for (const AssemblyStep& step : plan.steps) views.push_back(viewOf[step.motions.front().body]);
+  return views;
 }
 
 }  // namespace glissade

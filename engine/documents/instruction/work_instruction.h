@@ -39,18 +39,28 @@ struct WorkInstruction {
   std::string title;
   std::size_t steps = 0;   ///< number of steps of the plan
   std::string incomplete;  ///< names the parts for which the plan has no step; empty: there are none
-  /// "Accepted clashes: 4 × housing / screw M3x8, 0.270 mm · …", the deepest of equal pairs; empty: there are none.
-  std::string clashes;
+  /// Statements of the first page: accepted clashes, parts that touch nothing, excluded parts.
+  std::vector<std::string> statements;
+  std::string imprint;         ///< date, revision and author of the document; empty: none is stated
   std::vector<BodyId> bodies;  ///< ids of the whole product
   std::vector<PartsListRow> parts;
   std::vector<std::string> tools;  ///< without duplicates
   std::vector<InstructionPanel> panels;
 };
 
+/// What a document says about a product beside its plan.
+struct InstructionHeading {
+  std::string title;                    ///< name of the product
+  std::string imprint{};                ///< see WorkInstruction
+  std::vector<std::string> excluded{};  ///< names of the parts of the file that are not of the product
+};
+
 /// Makes the instruction of a plan. Each step of the plan and of its subassemblies is in one panel; a group is put
-/// together before the step that brings it. `title`: the name of the product. Ends early after a stop. Precondition:
-/// the plan is about the product.
-WorkInstruction workInstruction(const AssemblyPlan& plan, const AssembledProduct& product, const std::string& title,
-                                const PlanWords& words, const WorkWatch& watch = {});
+/// together before the step that brings it. Ends early after a stop. Precondition: the plan is about the product.
+WorkInstruction workInstruction(const AssemblyPlan& plan, const AssembledProduct& product,
+                                const InstructionHeading& heading, const PlanWords& words, const WorkWatch& watch = {});
+
+/// How the product lies in each step of the plan, in the order of removal.
+std::vector<Viewpoint> viewsOfSteps(const WorkInstruction& instruction, const AssemblyPlan& plan);
 
 }  // namespace glissade

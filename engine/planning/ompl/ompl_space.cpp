@@ -124,10 +124,15 @@ std::recursive_mutex& omplSeedMutex() {
 }
 
 OmplWorld::OmplWorld(const Problem& problem_, std::uint64_t seed)
-    : problem(problem_), metric(problem_.metric()), query(problem_.world->makeQuery()), stream(seed, "ompl") {}
+    : problem(problem_),
+      metric(problem_.metric()),
+      query(problem_.world->makeQuery()),
+      stream(seed, "ompl"),
+      shooter(problem_, seed) {}
 
 Pose OmplWorld::draw() {
   ++draws;
+  if (problem.source && !problem.region) return shooter.shoot();
   Pose q;
   if (problem.region) {
     q.position = problem.region->sample(stream, problem.bounds);

@@ -13,6 +13,7 @@
 
 #include "engine/collision/fcl_query.h"
 #include "engine/planning/planner.h"
+#include "engine/planning/random_shooter.h"
 
 namespace glissade {
 
@@ -24,6 +25,7 @@ struct OmplWorld {
   Se3Metric metric;
   std::unique_ptr<CollisionQuery> query;
   RandomStream stream;
+  RandomShooter shooter;    ///< draws where the problem has a source
   std::uint64_t draws = 0;  ///< random configurations, kept or not
   double growthStep = 0.0;  ///< this member and the next three belong to the current piece
   double extensionStep = 0.0;
@@ -33,7 +35,7 @@ struct OmplWorld {
   std::optional<FclSurfaceQuery> surfaces;  ///< used instead of `query` where it is set
   std::uint64_t surfaceQueries = 0;
 
-  /// Draws uniformly in the problem's region, or in its bounds where it has none, and in SO(3).
+  /// Draws uniformly in the problem's region, or in its bounds where it has none, and in SO(3); or from its source.
   Pose draw();
   /// Draws in the ball of the metric about `near` (uniform, or normal with that deviation), within the bounds. In a
   /// region the draw is repeated until it lies there; after some failures it is a configuration towards one drawn

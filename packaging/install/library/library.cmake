@@ -26,8 +26,8 @@ if(TARGET glissade_python)
   set(dist_packages lib/python3/dist-packages/glissade)
   set(python_sources ${CMAKE_SOURCE_DIR}/engine/python/glissade)
   install(TARGETS glissade_python LIBRARY DESTINATION ${dist_packages} COMPONENT python3-glissade)
-  install(FILES ${python_sources}/__init__.py ${python_sources}/__init__.pyi ${python_sources}/py.typed
-    DESTINATION ${dist_packages} COMPONENT python3-glissade)
+  install(DIRECTORY ${python_sources}/ DESTINATION ${dist_packages} COMPONENT python3-glissade
+    PATTERN __pycache__ EXCLUDE)
 endif()
 
 # What each Debian package has to have.

@@ -5,22 +5,20 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 
+#include "tests/engine/api/values.h"
 #include "tests/engine/support/directories.h"
 
 namespace {
 
 namespace g = glissade;
 using glissade::ErrorKind;
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+using glissade::test::at;
+using glissade::test::kNan;
 
 std::string sample(const std::string& file) { return glissade::test::sourceDirectory() + "/samples/" + file; }
 
 g::Mesh cube(double edge) { return *g::Mesh::box({edge, edge, edge}); }
-
-g::Pose at(double x, double y, double z) { return {{x, y, z}, g::Quaternion::Identity()}; }
 
 /// A cube that has to get past another one.
 g::World world() { return *g::World::make({{"wall", "", cube(0.4), {}}}, cube(0.1)); }
@@ -74,6 +72,16 @@ TEST(Api, AProductIsTakenApart) {
   const auto verdict = g::check(*product, *plan);
   ASSERT_TRUE(verdict);
   EXPECT_TRUE(verdict->valid()) << verdict->text;
+}
+
+/// The judge has to read the file with the same deflection.
+TEST(Api, APlanStatesTheDeflectionOfItsProduct) {
+  const std::string file = glissade::test::stepFileDirectory() + "/bolt-in-plate.step";
+  const auto product = g::load<g::Product>(file, {.deflection = 2e-5});
+  ASSERT_TRUE(product) << product.error().text();
+  const auto plan = g::sequence(*product);
+  ASSERT_TRUE(plan) << plan.error().text();
+  EXPECT_NE(plan->json(file).find("\"deflection_m\": 2e-05"), std::string::npos);
 }
 
 TEST(Api, APlannerFromOutsideIsCertified) {

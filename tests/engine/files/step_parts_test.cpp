@@ -7,6 +7,7 @@
 #include "engine/files/assembly_edits.h"
 #include "engine/files/part_files.h"
 #include "engine/files/product_file.h"
+#include "engine/files/scenario_bodies.h"
 #include "engine/files/scenario_io.h"
 #include "engine/geometry/mesh_audit.h"
 #include "engine/geometry/primitives.h"
@@ -144,6 +145,19 @@ TEST(StepParts, AFileOfOnePartIsTakenAsItsSolids) {
   EXPECT_EQ(whole->product.bodies.size(), 2U);
   ASSERT_EQ(whole->warnings.size(), 1U);
   EXPECT_THAT(toString(whole->warnings[0].reason), HasSubstr("one part of 2 solids"));
+}
+
+/// The window lists the parts of a file before they are taken.
+TEST(StepParts, AFileOfOnePartIsListedAsItsSolids) {
+  GeometryCache read;
+  const std::string file = stepFile("two-solids.step");
+  const auto listed = partsInFile(file, read);
+  ASSERT_TRUE(listed) << toString(listed.error());
+  ASSERT_EQ(listed->size(), 2U);
+  PartFile first = moving(file + ":" + listed->front().part);
+  const auto scenario = scenarioOfParts({first, still(file + ":" + listed->back().part)}, &read);
+  ASSERT_TRUE(scenario) << toString(scenario.error());
+  EXPECT_EQ(presentBodiesOf(*scenario).size(), 2U);
 }
 
 TEST(StepParts, AFileOfOnePartIsTakenAsAMesh) {

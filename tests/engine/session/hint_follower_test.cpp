@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "engine/base/random_stream.h"
-#include "engine/operator/reachable_ahead.h"
+#include "engine/operator/hand_guide.h"
 #include "engine/operator/sliding_hand.h"
 #include "engine/planning/difficulty/help_places.h"
 #include "engine/planning/smoothing/shortcuts.h"
@@ -26,11 +26,10 @@ class NoviceAtTheKeys final : public OperatorDevice {
         object_(world.makeQuery()),
         random_(seed, "novice") {}
 
-  /// Empty: there is no arrow, and the novice waits.
-  void show(std::vector<Pose> passage) { passage_ = std::move(passage); }
+  void show(std::vector<Pose> passage) { guide_.emplace(std::move(passage), metric_, 0.5 * metric_.radius()); }
 
   Pose advance(double dt, const OperatorView& view, const Box3& bounds) override {
-    if (passage_.empty()) return view.q_device;
+    if (!guide_) return view.q_device;
     time_ += dt;
     left_ -= dt;
     if (left_ <= 0.0) choose(view.q_device);
@@ -63,7 +62,7 @@ class NoviceAtTheKeys final : public OperatorDevice {
 
   void choose(const Pose& q) {
     left_ = kReaction * random_.uniform(0.7, 1.5);
-    const auto target = reachableAhead(passage_, q, metric_, 0.5 * metric_.radius(), *sight_, *object_);
+    const auto target = guide_->lead(q, *sight_, *object_);
     if (!target) return;
     if (metric_.distance(*target, before_) > 0.02 * metric_.radius()) {
       before_ = *target;
@@ -83,7 +82,7 @@ class NoviceAtTheKeys final : public OperatorDevice {
   std::unique_ptr<CollisionQuery> sight_;
   std::unique_ptr<CollisionQuery> object_;
   RandomStream random_;
-  std::vector<Pose> passage_;
+  std::optional<HandGuide> guide_;  ///< nothing: there is no arrow, and the novice waits
   Twist keys_;
   Pose before_;         ///< end of the arrow when it moved last
   double since_ = 0.0;  ///< time at which it moved

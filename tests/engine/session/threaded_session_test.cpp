@@ -75,10 +75,35 @@ TEST(ThreadedSession, ASimulatedOperatorRestsOnceTheRunHasEnded) {
   const std::uint64_t moves = session->snapshot()->device.moves;
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
   EXPECT_EQ(session->snapshot()->device.moves, moves);
-  // At full speed this run may end before the operator's first tick.
-  session->post(command::SetParameter{ParameterId::Pace, 1.0});
   session->post(command::Start{});
   EXPECT_TRUE(waitFor(*session, [&](const auto& s) { return s.device.moves > moves; })) << "back to the start";
+}
+
+/// Moves aside until a run begins, and rests then.
+class DeviceAside final : public OperatorDevice {
+ public:
+  Pose advance(double dt, const OperatorView& view, const Box3& bounds) override {
+    return began_ ? view.q_device : integrate(view.q_device, {Vector3(0.1, 0.0, 0.0), Vector3::Zero()}, bounds, dt);
+  }
+  void restart() override { began_ = true; }
+
+ private:
+  bool began_ = false;
+};
+
+TEST(ThreadedSession, TheFirstStepOfARunSeesTheHandAtTheStart) {
+  for (int i = 0; i < 10; ++i) {
+    const Problem problem = closedProblem();
+    const auto session = makeThreadedSession(sessionConfig(problem, std::make_unique<DeviceAside>()));
+    ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.device.moves > 0; }));
+    session->post(command::Start{});
+    ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.counts.steps > 0; }));
+    session->post(command::Stop{});
+    ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.state == SessionState::Stopped; }));
+    const RunLog log = joined(session->snapshot()->log);
+    ASSERT_FALSE(log.operatorStream.empty());
+    EXPECT_EQ(log.operatorStream.front().q_device, problem.start);
+  }
 }
 
 class FailingDevice final : public OperatorDevice {

@@ -74,7 +74,7 @@ TEST_F(PartsPage, TheSmallestPartMovesUntilSomebodyChooses) {
   choose(dialog, 0, PartsDialog::kUnit, "mm");
   choose(dialog, 1, PartsDialog::kUnit, "m");
   EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kMoves, kStatic})) << "a block of 60 m is not the smallest";
-  choose(dialog, 0, PartsDialog::kRole, "Static");
+  choose(dialog, 0, PartsDialog::kRole, "Stays");
   EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kStatic, kStatic}));
   EXPECT_FALSE(mayAccept(dialog));
   EXPECT_TRUE(hint(dialog).contains(QStringLiteral("moving part"))) << hint(dialog).toStdString();
@@ -163,14 +163,14 @@ TEST_F(PartsPage, ARowHasItsBoxesFromWhenItIsSeen) {
   dialog.show();
   table(dialog).scrollToBottom();
   ASSERT_NE(table(dialog).cellWidget(59, PartsDialog::kRole), nullptr);
-  EXPECT_EQ(combo(dialog, 59, PartsDialog::kRole).currentText(), QStringLiteral("Static"));
+  EXPECT_EQ(combo(dialog, 59, PartsDialog::kRole).currentText(), QStringLiteral("Stays"));
 }
 
 TEST_F(PartsPage, ChoosingThePartThatMovesTakesItFromTheOther) {
   PartsDialog dialog(Purpose::NewScenario, files(), true);
-  choose(dialog, 0, PartsDialog::kRole, "Moving part");
+  choose(dialog, 0, PartsDialog::kRole, "Moves: its path is planned");
   EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kMoves, kStatic}));
-  choose(dialog, 1, PartsDialog::kRole, "Mobile");
+  choose(dialog, 1, PartsDialog::kRole, "Stays, could be moved aside");
   EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kMoves, kMobile}));
   EXPECT_TRUE(mayAccept(dialog));
 }
@@ -187,7 +187,7 @@ TEST_F(PartsPage, AddedPartsDoNotMove) {
   EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kStatic, kStatic}));
   EXPECT_EQ(combo(dialog, 0, PartsDialog::kRole).count(), 2);
   EXPECT_TRUE(mayAccept(dialog));
-  choose(dialog, 1, PartsDialog::kRole, "Mobile");
+  choose(dialog, 1, PartsDialog::kRole, "Stays, could be moved aside");
   EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kStatic, kMobile}));
 }
 
@@ -255,7 +255,7 @@ TEST_F(PartsPage, EveryPartOfAStepFileIsARow) {
   EXPECT_EQ(table(dialog).item(5, PartsDialog::kPart)->text(), QStringLiteral("unit.step: pump/Läufer"));
   EXPECT_EQ(roles(dialog)[5], kMoves) << "the smallest";
   EXPECT_FALSE(combo(dialog, 1, PartsDialog::kUnit).isEnabled());
-  choose(dialog, 2, PartsDialog::kRole, "Moving part");
+  choose(dialog, 2, PartsDialog::kRole, "Moves: its path is planned");
   table(dialog).selectAll();
   choose(dialog, 0, PartsDialog::kUnit, "inch");
   EXPECT_EQ(dialog.parts()[0].unit, 0.0254);
@@ -280,14 +280,14 @@ TEST_F(PartsPage, AStepFileOfOnePartIsOneRow) {
 
 TEST_F(PartsPage, ARoleIsOfAllSelectedRows) {
   PartsDialog dialog(Purpose::NewScenario, files() << pin(), true);
-  choose(dialog, 1, PartsDialog::kRole, "Moving part");
+  choose(dialog, 1, PartsDialog::kRole, "Moves: its path is planned");
   table(dialog).setRangeSelected({0, 0, 2, PartsDialog::kSize}, true);
-  choose(dialog, 2, PartsDialog::kRole, "Mobile");
+  choose(dialog, 2, PartsDialog::kRole, "Stays, could be moved aside");
   EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kMobile, kMobile, kMobile}));
-  choose(dialog, 0, PartsDialog::kRole, "Moving part");
+  choose(dialog, 0, PartsDialog::kRole, "Moves: its path is planned");
   EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kMoves, kMoves, kMoves})) << "as one";
   table(dialog).clearSelection();
-  choose(dialog, 1, PartsDialog::kRole, "Moving part");
+  choose(dialog, 1, PartsDialog::kRole, "Moves: its path is planned");
   EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kStatic, kMoves, kStatic})) << "what has moved before does not";
 }
 

@@ -72,7 +72,8 @@ TEST_F(DifficultyWindow, HelpsInARunThatGoesOnByHand) {
                                   "action assist.go\nsteps 1\nexpect-help taken 1\naction assist.go\n"
                                   "expect-help taken 2\naction assist.go\nexpect-help taken 3\naction assist.go\n"
                                   "expect-help taken 4\naction assist.go\nexpect-help taken 1\nkey press D\nsteps 40\n"
-                                  "expect planning\nexpect-help taken 1\naction run.stop\n"));
+                                  "expect planning\nexpect-help taken 1\naction run.stop\nsteps 1\n"
+                                  "expect-help places 0\n"));
   EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString();
 }
 

@@ -64,6 +64,37 @@ TEST_F(LegendOverlayTest, ListsWhatIsDrawnNow) {
   EXPECT_EQ(legend.texts(), (QStringList{"Moving part", "Workspace"}));
 }
 
+/// A highlight is drawn for obstacles; the object has none.
+TEST_F(LegendOverlayTest, NamesASelectionOnlyWhereOneIsDrawn) {
+  EnvironmentPicture environment;
+  environment.selectedBodies = {scenario->objectBodies.front().id};
+  view.setEnvironment(environment);
+  EXPECT_FALSE(legend.texts().contains(QStringLiteral("Selected")));
+  environment.selectedBodies = {scenario->obstacles.front().id};
+  view.setEnvironment(environment);
+  EXPECT_TRUE(legend.texts().contains(QStringLiteral("Selected")));
+}
+
+double difference(const Colour& a, const Colour& b) {
+  return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]);
+}
+
+/// The colour as a person sees it who lacks a kind of cones (Machado, Oliveira and Fernandes 2009).
+Colour seenBy(const Colour& colour, const Eigen::Matrix3d& eye) {
+  const Vector3 seen = eye * Vector3(colour[0], colour[1], colour[2]);
+  return {seen.x(), seen.y(), seen.z()};
+}
+Colour withoutRed(const Colour& colour) {
+  Eigen::Matrix3d eye;
+  eye << 0.152286, 1.052583, -0.204868, 0.114503, 0.786281, 0.099216, -0.003882, -0.048116, 1.051998;
+  return seenBy(colour, eye);
+}
+Colour withoutGreen(const Colour& colour) {
+  Eigen::Matrix3d eye;
+  eye << 0.367322, 0.860646, -0.227968, 0.280085, 0.672501, 0.047413, -0.011820, 0.042940, 0.968881;
+  return seenBy(colour, eye);
+}
+
 TEST_F(LegendOverlayTest, TheSelectionAStepAndItsPathHaveColoursOfTheirOwn) {
   const std::size_t obstacles = scenario->obstacles.size();
   EnvironmentPicture environment;
@@ -86,7 +117,9 @@ TEST_F(LegendOverlayTest, TheSelectionAStepAndItsPathHaveColoursOfTheirOwn) {
     for (std::size_t i = 0; i < colours.size(); ++i) {
       const Colour& a = colours[i];
       const Colour& b = colours[(i + 1) % colours.size()];
-      EXPECT_GT(std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]), 0.3) << i;
+      EXPECT_GT(difference(a, b), 0.4) << i;
+      EXPECT_GT(difference(withoutGreen(a), withoutGreen(b)), 0.3) << i;
+      EXPECT_GT(difference(withoutRed(a), withoutRed(b)), 0.3) << i;
     }
   }
 }

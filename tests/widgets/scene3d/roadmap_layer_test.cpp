@@ -152,6 +152,8 @@ TEST(RoadmapLayer, ItsNodesDoNotHideTheObject) {
   EXPECT_EQ(marks->getStencilPassAndDepthPassOperation(), osg::Stencil::REPLACE);
   EXPECT_EQ(avoids->getFunction(), osg::Stencil::NOTEQUAL);
   EXPECT_EQ(avoids->getFunctionRef(), marks->getFunctionRef());
+  const double rim = object->getChild(object->getNumChildren() - 1)->getBound().radius();
+  EXPECT_GT(rim, 1.2 * object->getChild(0)->getBound().radius()) << "the rim around it is marked, too";
 }
 
 }  // namespace

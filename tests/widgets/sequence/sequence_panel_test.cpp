@@ -65,6 +65,65 @@ TEST_F(SequencePanelTest, StepsAreRowsInTheOrderThatIsAskedForAndStuckPartsFollo
   EXPECT_TRUE(table().topLevelItem(0)->text(1).contains(QStringLiteral("\ndown")));
 }
 
+TEST_F(SequencePanelTest, TheHeadlineSpeaksOfTheOrderThatIsShown) {
+  const auto* summary = panel.findChild<QLabel*>(QStringLiteral("sequence-summary"));
+  EXPECT_TRUE(summary->text().startsWith(QStringLiteral("2 of 3 parts removed"))) << summary->text().toStdString();
+  panel.setOrder(PlanOrder::Assembly);
+  EXPECT_TRUE(summary->text().startsWith(QStringLiteral("2 of 3 parts assembled"))) << summary->text().toStdString();
+}
+
+TEST_F(SequencePanelTest, AStepSaysHowTheProductIsTurnedBefore) {
+  shown.views = {Viewpoint{0, false}, Viewpoint{0, true}};  // of the cap and of the pin
+  for (const PlanOrder order : {PlanOrder::Assembly, PlanOrder::Removal}) {
+    panel.setOrder(order);
+    panel.setPlan(shown);
+    for (int row = 0; row < 2; ++row) {
+      const QTreeWidgetItem& step = *table().topLevelItem(row);
+      EXPECT_TRUE(step.text(1).contains(QStringLiteral("Turn the product over."))) << row;
+      EXPECT_TRUE(step.toolTip(1).contains(QStringLiteral("Turn the product over."))) << row;
+      if (order == PlanOrder::Removal) break;
+    }
+  }
+}
+
+TEST_F(SequencePanelTest, AStepSaysOnceAndWithItsReasonWhatIsHeld) {
+  auto plan = std::make_shared<AssemblyPlan>(*shown.plan);
+  plan->steps[1].only().falling = {"drawer"};
+  shown.plan = plan;
+  panel.setOrder(PlanOrder::Assembly);
+  panel.setPlan(shown);
+  const QString tip = table().topLevelItem(0)->toolTip(3);
+  EXPECT_EQ(tip.count(QStringLiteral("drawer")), 1) << tip.toStdString();
+  EXPECT_TRUE(tip.contains(QStringLiteral("because nothing supports it"))) << tip.toStdString();
+}
+
+/// The names and motions of the parts are short.
+TEST_F(SequencePanelTest, WhatIsHeldIsNotCutBesideFreeRoom) {
+  auto plan = std::make_shared<AssemblyPlan>(*shown.plan);
+  for (AssemblyStep& step : plan->steps) step.only().falling = {"drawer"};
+  shown.plan = plan;
+  panel.setPlan(shown);
+  panel.show();
+  for (int width = 420; width < 700; width += 20) {
+    panel.resize(width, 500);
+    const int free = table().columnWidth(1) - table().sizeHintForColumn(1);
+    const int lacking = table().sizeHintForColumn(3) - table().columnWidth(3);
+    EXPECT_FALSE(free > 8 && lacking > 0 && table().columnWidth(1) > 120) << width << " " << free << " " << lacking;
+  }
+}
+
+TEST_F(SequencePanelTest, APartThatTouchesNothingIsNamed) {
+  auto plan = std::make_shared<AssemblyPlan>(*shown.plan);
+  plan->isolated = {"cap"};
+  shown.plan = plan;
+  panel.setPlan(shown);
+  EXPECT_TRUE(table().topLevelItem(0)->text(4).contains(QStringLiteral("touches nothing")));
+  EXPECT_FALSE(table().topLevelItem(1)->text(4).contains(QStringLiteral("touches nothing")));
+  EXPECT_TRUE(panel.findChild<QLabel*>(QStringLiteral("sequence-summary"))
+                  ->text()
+                  .contains(QStringLiteral("may lie beside the product: cap.")));
+}
+
 TEST_F(SequencePanelTest, TheOrderDoesNotChangeWhatIsShown) {
   panel.showTime(0.5);
   panel.setOrder(PlanOrder::Assembly);

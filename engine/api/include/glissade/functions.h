@@ -9,6 +9,7 @@
 #include <glissade/problem.h>
 #include <glissade/product.h>
 #include <glissade/result.h>
+#include <glissade/samplers.h>
 #include <glissade/scenario.h>
 #include <glissade/stop_token.h>
 
@@ -70,6 +71,7 @@ struct PlanOptions {
   std::optional<std::uint64_t> seed{};               ///< nothing: the scenario's, or 1
   std::string operatorName = "none";                 ///< simulated operator: "none", "expert", "default", "novice", ...
   OperatorFunction operatorFunction{};               ///< an operator from outside, instead of `operatorName`
+  SamplerFunction sampler{};                         ///< draws the random configurations; empty: the planner does
   Parameters parameters{};                           ///< values that override those of the problem
   const Planners* planners = nullptr;                ///< planners from outside; null: none. It has to outlive the call.
   std::function<void(const RunCounts&)> progress{};  ///< called on the calling thread, many times a second
@@ -228,5 +230,9 @@ GLISSADE_EXPORT Result<std::vector<ClearanceSample>> clearance(const World& worl
 
 /// Version of the library that the program runs with: "0.1.0". GLISSADE_VERSION is the version of the headers.
 GLISSADE_EXPORT const char* libraryVersion();
+
+/// The file of one of Glissade's programs, such as "glissade-offscreen": in the folder that GLISSADE_PROGRAMS names,
+/// else beside the library, else in libexec/glissade of its prefix. It is missing where its package is not installed.
+GLISSADE_EXPORT std::string programFile(const std::string& name);
 
 }  // namespace glissade::api

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <glissade/functions.h>
+#include <glissade/layers.h>
 #include <glissade/session.h>
 #include <glissade/version.h>
 

@@ -41,7 +41,7 @@ inline InstructedProduct blocksOnABase(std::size_t blocks) {
 inline PlanWords wordsIn(Language language) { return {language, inMillimetres}; }
 
 inline WorkInstruction instructed(const InstructedProduct& made, Language language = Language::English) {
-  return workInstruction(made.plan, made.product, "stand", wordsIn(language));
+  return workInstruction(made.plan, made.product, {"stand"}, wordsIn(language));
 }
 
 /// All texts of an instruction.

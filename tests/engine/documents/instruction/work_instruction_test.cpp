@@ -115,23 +115,65 @@ TEST(WorkInstruction, PartsWithoutAStepAreNamedOnTheCoverAndAtTheStart) {
 /// Several overlaps of a pair are one entry.
 TEST(WorkInstruction, AcceptedClashesAreOnTheCover) {
   InstructedProduct made = test::blocksOnABase(3);
-  EXPECT_EQ(test::instructed(made).clashes, "");
+  EXPECT_TRUE(test::instructed(made).statements.empty());
   const Allowance shallow{"base", ContactKind::Clash, 0.0004};
   const Allowance deep{"base", ContactKind::Clash, 0.0005};
   made.plan.steps[0].only().allowances = {shallow};
   made.plan.steps[1].only().allowances = {deep, shallow};
   made.plan.steps[2].only().allowances = {{"base", ContactKind::Planar, 0.0}};
   const WorkInstruction instruction = test::instructed(made);
-  EXPECT_EQ(instruction.clashes, "Accepted clashes: base / block1, 0.5 mm · base / block2, 0.4 mm");
+  ASSERT_EQ(instruction.statements.size(), 1U);
+  EXPECT_EQ(instruction.statements[0], "Accepted clashes: base / block1, 0.5 mm · base / block2, 0.4 mm");
   made.plan.steps[0].only().allowances[0].hollow = true;
   made.plan.steps[1].only().allowances[0].hollow = made.plan.steps[1].only().allowances[0].yields = true;
-  EXPECT_EQ(test::instructed(made).clashes,
+  EXPECT_EQ(test::instructed(made).statements.front(),
             "Accepted clashes: base / block1, 0.5 mm (cut: base) · base / block2, 0.4 mm (cut: block2)");
   const auto pages = instructionPages(instruction, {}, Paper::A4);
   const auto& texts = pages.front().texts;
   EXPECT_TRUE(std::any_of(texts.begin(), texts.end(), [&](const PageText& each) {
-    return each.text == instruction.clashes && each.rect.bottom() < pages.front().pictures.front().rect.y + 1e-9;
+    return each.text == instruction.statements[0] && each.rect.bottom() < pages.front().pictures.front().rect.y + 1e-9;
   })) << "above the picture";
+}
+
+TEST(WorkInstruction, ExcludedPartsPartsBesideAndTheDateAreOnTheCover) {
+  InstructedProduct made = test::blocksOnABase(3);
+  made.plan.isolated = {"block1"};
+  const WorkInstruction instruction = workInstruction(
+      made.plan, made.product, {"stand", "1 May 2026", {"cover", "cover#2"}}, test::wordsIn(Language::English));
+  EXPECT_EQ(instruction.statements, (std::vector<std::string>{"Touches nothing and may lie beside the product: block1.",
+                                                              "Excluded, without a step: cover, cover#2"}));
+  const auto pages = instructionPages(instruction, {}, Paper::A4);
+  std::string all;
+  for (const PageText& each : pages.front().texts) all += each.text + "\n";
+  for (const std::string& statement : instruction.statements) EXPECT_NE(all.find(statement), std::string::npos);
+  EXPECT_NE(all.find("1 May 2026"), std::string::npos);
+}
+
+/// The first block of the product comes last.
+TEST(WorkInstruction, PartsAreListedInTheOrderOfTheirUse) {
+  InstructedProduct made = test::blocksOnABase(3);
+  std::reverse(made.plan.steps.begin(), made.plan.steps.end());
+  std::vector<std::size_t> firstSteps;
+  for (const PartsListRow& row : partsList(made.plan, made.product)) {
+    firstSteps.push_back(row.hasBase ? 0 : row.steps.front());
+  }
+  EXPECT_EQ(firstSteps, (std::vector<std::size_t>{0, 1, 2, 3}));
+}
+
+TEST(WorkInstruction, EachStepOfThePlanHasTheViewOfItsPanel) {
+  InstructedProduct made = test::blocksOnABase(3);
+  made.plan.steps.back() = test::stepAlong("block0", -Vector3::UnitZ());
+  const WorkInstruction instruction = test::instructed(made);
+  const std::vector<Viewpoint> views = viewsOfSteps(instruction, made.plan);
+  ASSERT_EQ(views.size(), made.plan.steps.size());
+  for (const InstructionPanel& panel : instruction.panels) {
+    for (const AssemblyStep& step : panel.steps) {
+      for (std::size_t i = 0; i < views.size(); ++i) {
+        if (made.plan.steps[i].bodies() != step.bodies()) continue;
+        EXPECT_EQ(views[i], panel.view);
+      }
+    }
+  }
 }
 
 TEST(WorkInstruction, APartThatFallsOutWhenTheProductIsTurnedOverIsNamed) {

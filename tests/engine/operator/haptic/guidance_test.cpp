@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/operator/hand_guide.h"
 #include "engine/operator/reachable_ahead.h"
 #include "tests/engine/support/forbidden_boxes.h"
 #include "tests/engine/support/random_pose.h"
@@ -140,6 +141,34 @@ TEST(ReachableAhead, TheObjectGetsThereOrSlides) {
     nearer += isFree(q, *inSight) ? 0 : 1;
   }
   EXPECT_GT(nearer, 50);
+}
+
+/// A hand that goes to its targets with a tremor.
+TEST(HandGuide, ATargetStaysUntilItIsReached) {
+  const Channel channel;
+  const CollisionWorldPtr world = channel.world();
+  const auto sight = pointWorld(*world)->makeQuery();
+  const auto object = world->makeQuery();
+  constexpr double kAhead = 0.5;
+  HandGuide guide(channel.way, Se3Metric(world->objectRadius()), kAhead);
+  RandomStream tremor(1, "tremor");
+  Pose q = channel.way.front();
+  std::optional<Pose> before;
+  int others = 0;
+  int steps = 0;
+  for (; steps < 1000 && (q.position - channel.way.back().position).norm() > 0.05; ++steps) {
+    const auto target = guide.lead(q, *sight, *object);
+    ASSERT_TRUE(target);
+    others += before && *target != *before ? 1 : 0;
+    before = target;
+    const Vector3 way = target->position - q.position;
+    Pose next = q;
+    next.position += way.normalized() * std::min(0.02, way.norm());
+    next.position += 0.002 * Vector3(tremor.uniform(-1.0, 1.0), tremor.uniform(-1.0, 1.0), 0.0);
+    if (!object->collides(next)) q = next;
+  }
+  EXPECT_LT(steps, 1000) << "the hand gets there";
+  EXPECT_LT(others, steps / 5);
 }
 
 }  // namespace
