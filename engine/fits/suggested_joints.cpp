@@ -244,12 +244,12 @@ class SuggestedJointFinder {
     const Product& tree = shapes_.product().tree;
     const std::string& name = tree.nodes()[node].names.product;
     if (!hasOneOf(wordsOfName(name), kBoardWords)) return false;
-    const auto board = std::max_element(bodies.begin(), bodies.end(), [&](std::size_t a, std::size_t b) {
-      return std::pair(isBoard(a), shapes_.box(a).volume()) < std::pair(isBoard(b), shapes_.box(b).volume());
-    });
+    const auto board = std::max_element(bodies.begin(), bodies.end(),
+                                        [&](std::size_t a, std::size_t b) { return faceOf(a) < faceOf(b); });
     if (!isBoard(*board)) return false;
     Joint joint;
     joint.kind = JointKind::Unit;
+    joint.state = JointState::Suggested;
     joint.body = *board;
     std::map<std::size_t, std::vector<std::size_t>> members;  // by the node below the assembly
     for (const std::size_t body : bodies) {
@@ -269,6 +269,12 @@ class SuggestedJointFinder {
     for (const std::size_t other : joint.others) isTaken_[other] = true;
     joints.push_back(std::move(joint));
     return true;
+  }
+
+  /// Area of the largest side of the body's box, square metres.
+  double faceOf(std::size_t body) const {
+    const Vector3 size = boundingBox(*shapes_.body(body).mesh).sizes();
+    return size.prod() / size.minCoeff();
   }
 
   bool isBoard(std::size_t body) const {

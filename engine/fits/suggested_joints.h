@@ -10,9 +10,9 @@
 namespace glissade {
 
 /// Joints that names, classes and shapes suggest, and that a person confirms: flexible bodies, snaps, welded or glued
-/// bodies, and purchased units. Retaining rings, populated circuit boards and units with the number of their article
-/// are recognised. Ordered by body. `classes`: a class for each body, or empty. `found`: recognised
-/// joints; nothing is suggested for bodies of a unit among them.
+/// bodies, and purchased units. Retaining rings and units with the number of their article are recognised. Ordered by
+/// body. `classes`: a class for each body, or empty. `found`: recognised joints; nothing is suggested for bodies of a
+/// unit among them.
 Joints findSuggestedJoints(const ProductShapes& shapes, const std::vector<std::string>& classes, const Joints& found,
                            const StopToken& stop);
 

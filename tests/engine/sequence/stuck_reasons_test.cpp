@@ -62,7 +62,8 @@ TEST(StuckReasons, AClashThatCannotBeCutIsNotAdvisedToBeAccepted) {
   const AssemblyPlan plan = plainPlanOf(product);
   ASSERT_EQ(plan.stuck.size(), 1U);
   EXPECT_THAT(toString(plan.stuck[0].reason), HasSubstr("neither can be cut and stay in one piece: mend the parts"));
-  for (const Diagnostic& warning : test::fitsOf(product).warnings())
+  const ProductFits fits = test::fitsOf(product);
+  for (const Diagnostic& warning : fits.warnings())
     EXPECT_THAT(toString(warning), Not(HasSubstr("Accept it")));
 }
 
