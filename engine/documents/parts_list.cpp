@@ -8,6 +8,7 @@
 
 #include "engine/documents/plan_words.h"
 #include "engine/geometry/mesh_volume.h"
+#include "engine/model/designation.h"
 
 namespace glissade {
 namespace {
@@ -100,6 +101,14 @@ std::size_t firstUseOf(const PartsListRow& row) {
 
 }  // namespace
 
+bool namesOnePart(const std::string& designation) {
+  const auto said = designationIn(designation);
+  if (!said) return !designation.empty();
+  const bool hasLength =
+      said->part == StandardPart::Screw || said->part == StandardPart::SetScrew || said->part == StandardPart::Pin;
+  return !hasLength || said->length > 0.0;
+}
+
 std::vector<PartsListRow> partsList(const AssemblyPlan& plan, const AssembledProduct& product) {
   TextsById designations;
   addDesignations(plan.steps, designations);
@@ -115,7 +124,7 @@ std::vector<PartsListRow> partsList(const AssemblyPlan& plan, const AssembledPro
     const auto said = designations.find(body.id);
     const std::string designation = said == designations.end() ? std::string() : said->second;
     const std::string name = kindOfPart(i, product);
-    const bool isDesignated = !designation.empty();
+    const bool isDesignated = namesOnePart(designation);
     const auto [at, isNew] =
         known.emplace(std::tuple(designation, isDesignated ? kAnyShape : shapes.numberOf(body.mesh),
                                  isDesignated ? std::string() : stemOf(name)),

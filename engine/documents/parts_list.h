@@ -23,7 +23,12 @@ struct PartsListRow {
   std::vector<std::size_t> steps{};
 };
 
-/// The parts list of a plan. Fasteners of one designation are one row, and so are other parts of one shape and name. A
+/// True if fasteners of this designation are one part, whatever their shapes: "M3x8", "DIN 934 M3". The designation of
+/// a screw or a pin without its length names several parts.
+bool namesOnePart(const std::string& designation);
+
+/// The parts list of a plan. Fasteners of a designation that names one part are one row, and so are other parts of one
+/// shape and name. A
 /// counter at the end of a name is ignored: "nut-1" and "nut-2" are the row "nut". Rows are in the order of their first
 /// use in the assembly, then of their names. Precondition: the plan is about the product.
 std::vector<PartsListRow> partsList(const AssemblyPlan& plan, const AssembledProduct& product);

@@ -322,6 +322,17 @@ const ThreadSize* unifiedOf(double diameter) {
   return std::abs(nearest.diameter - diameter) < 1e-3 * diameter ? &nearest : nullptr;
 }
 
+/// Adds the length of a screw that the text begins with, in inches: "1/2", "1-1/4", ".375".
+void addInches(const std::string& text, SizeText& size) {
+  static const std::regex pattern(R"(^(?:(?:(\d{1,2})[- ])?(\d{1,2})/(\d{1,2})|(\d{0,2}\.?\d{1,4}))(?![\d./]))");
+  std::smatch match;
+  if (!std::regex_search(text, match, pattern)) return;
+  const double inches = match[4].matched ? numberIn(match[4])
+                                         : numberIn(match[1]) + numberIn(match[2]) / std::max(1.0, numberIn(match[3]));
+  size.length = inches * kInch;
+  size.text += "x" + match[0].str() + "\"";
+}
+
 /// "#10-32", "1/4-20", "1/4"-20 UNC", "10-32 x 1/2", "1/4 UNC", "#8 UNF": unified threads.
 std::optional<SizeText> unifiedSize(const std::string& name) {
   static const std::regex pattern(
@@ -349,7 +360,9 @@ std::optional<SizeText> unifiedSize(const std::string& name) {
     const bool isStandard = isOne(known->pitch) || isOne(fine);
     // "10-32" alone may be any two numbers.
     const bool isSure = isFraction || match[1].matched || (isStandard && (match[7].matched || match[8].matched));
-    if (isSure && size.pitch > 0.0) return size;
+    if (!isSure || !(size.pitch > 0.0)) continue;
+    if (match[8].matched) addInches(name.substr(static_cast<std::size_t>(match.position() + match.length() - 1)), size);
+    return size;
   }
   return std::nullopt;
 }

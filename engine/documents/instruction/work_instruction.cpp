@@ -28,7 +28,7 @@ constexpr double kFallsOut = 0.7;
 constexpr std::size_t kCrosswise = 3;
 
 /// Designation of a fastener, for example "screw M3x8"; the kind of part for others.
-std::string partName(const PartsListRow& row) { return row.designation.empty() ? row.name : row.designation; }
+std::string partName(const PartsListRow& row) { return namesOnePart(row.designation) ? row.designation : row.name; }
 
 class Instructor {
  public:

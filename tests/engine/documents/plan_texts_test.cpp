@@ -313,6 +313,21 @@ TEST(PartsList, FastenersOfOneDesignationAreOneRow) {
   EXPECT_EQ(std::count_if(rows.begin(), rows.end(), [](const PartsListRow& row) { return row.hasBase; }), 1);
 }
 
+TEST(PartsList, ScrewsOfADesignationWithoutALengthAreOneRowOnlyIfTheirShapesAreOne) {
+  const AssembledProduct product = test::lockedDrawer();
+  AssemblyPlan plan = planWithASubassembly();
+  AssemblyStep& group = plan.steps.front();
+  group.only().joints = plan.lines.front().steps.front().only().joints;
+  group.only().joints.front().body = "pin";
+  const auto rowsWith = [&](const std::string& designation) {
+    group.only().joints.front().designation = designation;
+    plan.lines.front().steps.front().only().joints.front().designation = designation;
+    return partsList(plan, product).size();
+  };
+  EXPECT_EQ(rowsWith("BHCS #10-32x1/2\""), 3U);
+  EXPECT_EQ(rowsWith("BHCS #10-32"), 4U);
+}
+
 TEST(PartsList, PartsOfOneShapeAreOneRowWhateverTheirCounterAndPlace) {
   AssembledProduct product = test::productOf(
       {boxBody("base", {2.0, 1.0, 0.1}, Pose::identity()), boxBody("nut-1", {0.1, 0.1, 0.1}, Pose::identity()),

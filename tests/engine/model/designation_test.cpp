@@ -25,7 +25,7 @@ TEST(Designation, StandardsAndAbbreviationsAreReadFromNames) {
       {"Button Head Socket Cap Screw M3_M3 x 12", Screw, "button head M3x12", 3.0, DriveKind::HexSocket, 2.0},
       {"M3x6 BHCS", Screw, "BHCS M3x6", 3.0, DriveKind::HexSocket, 2.0},
       {"Low Profile Screw M5_M5 x 20", Screw, "low profile screw M5x20", 5.0, DriveKind::HexSocket, 3.0},
-      {"#10-32 x 0.375\" L BHCS (Steel, Black Oxide)", Screw, "BHCS #10-32", 4.826, DriveKind::HexSocket, 0.0},
+      {"#10-32 x 0.375\" L BHCS (Steel, Black Oxide)", Screw, "BHCS #10-32x0.375\"", 4.826, DriveKind::HexSocket, 0.0},
       {"M3 Heatset#2", Insert, "heat-set M3", 3.0, DriveKind::None, 0.0},
       {"M3x5x4", Insert, "M3x5x4", 3.0, DriveKind::None, 0.0},
       {"SO-M3-6", Insert, "M3", 3.0, DriveKind::None, 0.0},
@@ -73,6 +73,17 @@ TEST(Designation, LengthAndPitch) {
   const auto inch = designationIn("#10-32 BHCS");
   ASSERT_TRUE(inch);
   EXPECT_NEAR(inch->pitch, 0.0254 / 32.0, 1e-9);
+  EXPECT_EQ(inch->length, 0.0);
+  const std::vector<std::pair<const char*, double>> inches{{"#10-32 x 1-1/4\" L BHCS", 1.25},
+                                                           {"#10-32 x 1/2\" L BHCS", 0.5},
+                                                           {"1/4-20 x 3/4 hex bolt", 0.75},
+                                                           {"#8-32 x 2 SHCS", 2.0},
+                                                           {"#8-32 x .5 SHCS", 0.5}};
+  for (const auto& [name, length] : inches) {
+    const auto said = designationIn(name);
+    ASSERT_TRUE(said) << name;
+    EXPECT_NEAR(said->length, 0.0254 * length, 1e-9) << name << ": " << said->text;
+  }
 }
 
 }  // namespace
