@@ -268,6 +268,29 @@ TEST(JointFinder, ADowelIsPressedInWhereItIsThickerThanItsHoleAndAPinWhereItIsNo
   }
 }
 
+/// A shaft with a round head without a recess, as wide as the hole of the block below the plate.
+Joints jointsOfHeaded(const std::string& name, double headHeight) {
+  ProductOfParts parts;
+  parts.add(name, screwMesh(0.005, 0.03, circle(0.00425), headHeight, {}))
+      .add("plate", plateMesh(0.0028, 0.02, -0.008, 0.0))
+      .add("block", plateMesh(0.0025, 0.02, -0.03, -0.008));
+  return findJoints(parts.product());
+}
+
+TEST(JointFinder, AHeadOfTheProportionsOfACapScrewMakesAScrewOfAShaftInAHoleOfItsWidth) {
+  const Joints cap = jointsOfHeaded("part", 0.005);
+  ASSERT_EQ(cap.size(), 1U);
+  EXPECT_EQ(cap[0].kind, JointKind::Screw);
+  EXPECT_EQ(cap[0].state, JointState::Recognised);
+  EXPECT_THAT(cap[0].others, ElementsAre(2U));
+  EXPECT_THAT(cap[0].clamped, ElementsAre(1U));
+  EXPECT_EQ(cap[0].drive, DriveKind::HexSocket);
+  for (const Joints& joints : {jointsOfHeaded("part", 0.0015), jointsOfHeaded("clevis pin", 0.005)}) {
+    EXPECT_THAT(ofKind(joints, JointKind::Screw), IsEmpty());
+    EXPECT_THAT(ofKind(joints, JointKind::Pin), testing::SizeIs(1));
+  }
+}
+
 TEST(JointFinder, APinThatIsMillimetresThickerThanItsHoleIsNotPressedIn) {
   ProductOfParts parts;
   parts.add("block", blockMesh(0.004, 0.02, 0.02, -0.02, 0.0)).add("pin", rodMesh(0.006, -0.01, 0.02));

@@ -139,5 +139,19 @@ TEST(Fasteners, ACountersunkScrewIsOneByItsCone) {
   EXPECT_NEAR((product.bodies[1].X_WB * head->end).z(), 6e-3, 1e-6);
 }
 
+/// A screw whose thread is in no body of the file touches what its head lies on, by a plane only.
+TEST(Fasteners, AScrewByItsNameNeedsNoHole) {
+  const auto kindOf = [](const std::string& name) {
+    const AssembledProduct product =
+        test::productOf({placed(name, boltMesh(0.004, 0.007), Pose::identity()),
+                         placed("plate", prismRing(0.006, 0.03, 0.01, 4), Pose::translation({0.0, 0.0, -0.014}))},
+                        true);
+    const ProductFits fits = test::fitsOf(product);
+    return fastenersOf(ProductShapes(product), fits.contacts()).front();
+  };
+  EXPECT_EQ(kindOf("M8x40 SHCS"), FastenerKind::Screw);
+  EXPECT_EQ(kindOf("part"), FastenerKind::None);
+}
+
 }  // namespace
 }  // namespace glissade

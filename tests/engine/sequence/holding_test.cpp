@@ -65,6 +65,18 @@ TEST_F(HoldingTest, ABodyThatTouchesNothingThatRemainsIsInTheAir) {
   EXPECT_FALSE(Holding(question_).isInAir({kApart}, without({kApart}))) << "nothing is known of contacts";
 }
 
+TEST_F(HoldingTest, ABodyOnOneThatNothingHoldsToTheBaseIsInTheAir) {
+  std::vector<Contact> contacts = this->contacts();
+  contacts.push_back(contacts.front());
+  contacts.back().a = kBolt;
+  contacts.back().b = kApart;
+  liaisons_ = LiaisonGraph(kBodies, contacts, nutOnBolt());
+  const Holding holding = this->holding();
+  EXPECT_FALSE(holding.isInAir({kApart}, without({kApart})));
+  EXPECT_FALSE(holding.isInAir({kBolt}, without({kBolt})));
+  EXPECT_TRUE(holding.isInAir({kBolt}, without({kBolt, kNut}))) << "it touches a body that nothing holds";
+}
+
 TEST_F(HoldingTest, WithoutTheNutTheCoverAndTheBoltAreUnfastened) {
   const Holding holding = this->holding();
   EXPECT_EQ(holding.unfastened(without({})), 0U);

@@ -63,8 +63,7 @@ TEST(StuckReasons, AClashThatCannotBeCutIsNotAdvisedToBeAccepted) {
   ASSERT_EQ(plan.stuck.size(), 1U);
   EXPECT_THAT(toString(plan.stuck[0].reason), HasSubstr("neither can be cut and stay in one piece: mend the parts"));
   const ProductFits fits = test::fitsOf(product);
-  for (const Diagnostic& warning : fits.warnings())
-    EXPECT_THAT(toString(warning), Not(HasSubstr("Accept it")));
+  for (const Diagnostic& warning : fits.warnings()) EXPECT_THAT(toString(warning), Not(HasSubstr("Accept it")));
 }
 
 TEST(StuckReasons, AnAcceptedClashNeedsTheNameOfTheBodyThatIsCut) {
