@@ -104,10 +104,11 @@ TEST_F(SequencePanelTest, WhatIsHeldIsNotCutBesideFreeRoom) {
   shown.plan = plan;
   panel.setPlan(shown);
   panel.show();
+  const QAbstractItemView& view = table();
   for (int width = 420; width < 700; width += 20) {
     panel.resize(width, 500);
-    const int free = table().columnWidth(1) - table().sizeHintForColumn(1);
-    const int lacking = table().sizeHintForColumn(3) - table().columnWidth(3);
+    const int free = table().columnWidth(1) - view.sizeHintForColumn(1);
+    const int lacking = view.sizeHintForColumn(3) - table().columnWidth(3);
     EXPECT_FALSE(free > 8 && lacking > 0 && table().columnWidth(1) > 120) << width << " " << free << " " << lacking;
   }
 }
