@@ -133,8 +133,8 @@ Warnings warningsOf(const std::vector<PlaceCopies>& places, const std::vector<Bo
     warnings.push_back({ErrorKind::MalformedInput,
                         "",
                         {GLISSADE_TEXT("'%1'"), {bodies[place.body].name}},
-                        {GLISSADE_TEXT("is drawn %1 times in one place, and stands for the {2|copy|copies} %3"),
-                         {place.copies.size() + 1, place.copies.size(), joined(names, ", ")}},
+                        {GLISSADE_TEXT("is drawn %1 times in one place, and stands for: %2"),
+                         {place.copies.size() + 1, joined(names, ", ")}},
                         GLISSADE_TEXT("Delete the copies in the CAD program.")});
   }
   return warnings;

@@ -60,14 +60,6 @@ LiaisonGraph::LiaisonGraph(std::size_t bodies, const std::vector<Contact>& conta
   for (std::vector<std::size_t>& neighbours : neighbours_) std::sort(neighbours.begin(), neighbours.end());
 }
 
-std::vector<std::size_t> LiaisonGraph::isolated() const {
-  std::vector<std::size_t> bodies;
-  for (std::size_t body = 0; body < neighbours_.size() && !liaisons_.empty(); ++body) {
-    if (neighbours_[body].empty()) bodies.push_back(body);
-  }
-  return bodies;
-}
-
 std::vector<std::vector<std::size_t>> LiaisonGraph::clusters() const {
   JoinedSets clusters(neighbours_.size());
   for (const Liaison& edge : liaisons_) {

@@ -28,8 +28,6 @@ class LiaisonGraph {
   const std::vector<Liaison>& liaisons() const { return liaisons_; }
   /// Bodies that touch the body or are joined to it, ascending.
   const std::vector<std::size_t>& neighboursOf(std::size_t body) const { return neighbours_[body]; }
-  /// Bodies that neither touch another body nor are joined to one, ascending; none where no contact is known.
-  std::vector<std::size_t> isolated() const;
   /// Clusters: the largest groups of bodies that joints connect, directly or through others, each of two bodies or
   /// more; ascending. A flexible body connects nothing.
   std::vector<std::vector<std::size_t>> clusters() const;

@@ -83,8 +83,9 @@ void NearestNeighbours::add(std::uint32_t index, const Pose& q) {
     nodes_.emplace_back();
   }
   const auto entry = static_cast<std::uint32_t>(poses_.size());
-  poses_.push_back(q);
+  indices_.resize(poses_.size());  // an addition that ran out of memory may have left one more
   indices_.push_back(index);
+  poses_.push_back(q);
   const Point point = pointOf(q);
   for (const float value : point) scale_ = std::max(scale_, static_cast<double>(std::abs(value)));
   std::uint32_t node = 0;
@@ -96,12 +97,11 @@ void NearestNeighbours::add(std::uint32_t index, const Pose& q) {
     }
     node = inner.children + (point[inner.axis] < inner.split ? 0U : 1U);
   }
-  addToLeaf(node, entry, point);
+  addToLeaf(nodes_[node], entry, point);
   if (nodes_[node].count > kMostInALeaf) splitLeaf(node);
 }
 
-void NearestNeighbours::addToLeaf(std::uint32_t node, std::uint32_t entry, const Point& point) {
-  Node& leaf = nodes_[node];
+void NearestNeighbours::addToLeaf(Node& leaf, std::uint32_t entry, const Point& point) {
   const std::size_t lane = leaf.count % kLanes;
   if (lane == 0) {
     leaf.packets.emplace_back();
@@ -117,30 +117,33 @@ void NearestNeighbours::addToLeaf(std::uint32_t node, std::uint32_t entry, const
   ++leaf.count;
 }
 
-/// Splits a leaf at the middle of its widest axis. A leaf whose configurations are all equal is not split.
+/// Splits a leaf at the middle of its widest axis. A leaf whose configurations are all equal is not split. Out of
+/// memory the leaf stays as it is.
 void NearestNeighbours::splitLeaf(std::uint32_t node) {
+  const Node& leaf = nodes_[node];
   std::size_t axis = 0;
-  const auto width = [&](std::size_t a) { return nodes_[node].high[a] - nodes_[node].low[a]; };
+  const auto width = [&](std::size_t a) { return leaf.high[a] - leaf.low[a]; };
   for (std::size_t a = 1; a < kAxes; ++a) {
     if (width(a) > width(axis)) axis = a;
   }
-  const float split = nodes_[node].low[axis] + 0.5F * width(axis);
-  if (!(nodes_[node].low[axis] < split && split <= nodes_[node].high[axis])) return;
-  const std::vector<Packet> packets = std::move(nodes_[node].packets);
-  const std::size_t count = nodes_[node].count;
-  const auto children = static_cast<std::uint32_t>(nodes_.size());
-  nodes_.resize(nodes_.size() + 2);
-  nodes_[node].children = children;
-  nodes_[node].axis = axis;
-  nodes_[node].split = split;
-  nodes_[node].packets = {};
-  nodes_[node].count = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Packet& packet = packets[i / kLanes];
+  const float split = leaf.low[axis] + 0.5F * width(axis);
+  if (!(leaf.low[axis] < split && split <= leaf.high[axis])) return;
+  std::array<Node, 2> halves;
+  for (std::size_t i = 0; i < leaf.count; ++i) {
+    const Packet& packet = leaf.packets[i / kLanes];
     Point point{};
     for (std::size_t a = 0; a < kAxes; ++a) point[a] = packet.at[a][i % kLanes];
-    addToLeaf(children + (point[axis] < split ? 0U : 1U), packet.entry[i % kLanes], point);
+    addToLeaf(halves[point[axis] < split ? 0U : 1U], packet.entry[i % kLanes], point);
   }
+  const auto children = static_cast<std::uint32_t>(nodes_.size());
+  nodes_.resize(nodes_.size() + 2);
+  std::move(halves.begin(), halves.end(), nodes_.end() - 2);
+  Node& inner = nodes_[node];
+  inner.children = children;
+  inner.axis = axis;
+  inner.split = split;
+  inner.packets = {};
+  inner.count = 0;
 }
 
 void NearestNeighbours::look(const Packet& packet, Search& search) const {

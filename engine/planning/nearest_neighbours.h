@@ -57,7 +57,7 @@ class NearestNeighbours {
   struct Search;
 
   Point pointOf(const Pose& q) const;
-  void addToLeaf(std::uint32_t node, std::uint32_t entry, const Point& point);
+  static void addToLeaf(Node& leaf, std::uint32_t entry, const Point& point);
   void splitLeaf(std::uint32_t node);
   void visit(std::uint32_t node, Search& search) const;
   void look(const Packet& packet, Search& search) const;

@@ -8,6 +8,7 @@
 
 #include "engine/sequence/greedy_strategy.h"
 #include "engine/sequence/holding.h"
+#include "engine/sequence/isolated_bodies.h"
 #include "engine/sequence/joint_removal.h"
 #include "engine/sequence/order_search.h"
 #include "engine/sequence/plan_steps.h"
@@ -161,7 +162,7 @@ class Reordering {
 
   void findIsolated() {
     if (question_.liaisons == nullptr) return;
-    for (const std::size_t body : question_.liaisons->isolated()) {
+    for (const std::size_t body : isolatedBodies(question_.product, *question_.liaisons)) {
       const auto alone = std::find(groups_.begin(), groups_.end(), BodyGroup{body});
       if (alone != groups_.end()) isolated_.push_back(static_cast<std::size_t>(alone - groups_.begin()));
     }

@@ -262,7 +262,7 @@ class RunMover {
   }
 
   static constexpr std::size_t kMostMoved = 12;
-  static constexpr std::size_t kMostAsked = 400000;
+  static constexpr std::size_t kMostAsked = 120000;
 
   const OrderQuestion& question_;
   const StopToken& stop_;

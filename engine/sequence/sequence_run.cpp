@@ -8,6 +8,7 @@
 #include "engine/sequence/base_choice.h"
 #include "engine/sequence/demanding_trial.h"
 #include "engine/sequence/fasteners.h"
+#include "engine/sequence/isolated_bodies.h"
 #include "engine/sequence/joined_units.h"
 #include "engine/sequence/joint_rules.h"
 #include "engine/sequence/motion_trial.h"
@@ -159,7 +160,7 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
   AssemblyPlan plan = strategy->make()->plan(question, savable);
   // A plan in which every body stays takes nothing apart. The judge does not call it complete.
   if (plan.parts() == 0 && plan.end == PlanEnd::Complete) plan.end = PlanEnd::Stuck;
-  plan.isolated = idsOf(liaisons.isolated(), product);
+  plan.isolated = idsOf(isolatedBodies(product, liaisons), product);
   addJoints(plan, question);
   addLines(plan, question, host);
   addTools(plan, question, host);

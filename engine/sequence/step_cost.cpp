@@ -68,7 +68,7 @@ std::optional<RuleType> typeOfAttribute(const std::string& name, const std::map<
 
 std::vector<StepCostPreset> stepCostPresets() {
   return {{"fitter", GLISSADE_TEXT("As a fitter would"),
-           "30 * in_air + 30 * isolated_left + 20 * tool_blocked + 10 * falling + 2 * unfastened + 4 * open_stacks + 4 "
+           "30 * in_air + 3 * isolated_left + 20 * tool_blocked + 10 * falling + 2 * unfastened + 4 * open_stacks + 4 "
            "* task_change + 4 * "
            "assembly_change + 2 * tool_change + "
            "4 * turn_over + direction_change + "

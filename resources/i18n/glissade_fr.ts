@@ -11716,8 +11716,8 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <translation>pince à circlips</translation>
     </message>
     <message>
-        <source>is drawn %1 times in one place, and stands for the {2|copy|copies} %3</source>
-        <translation>est dessiné %1 fois au même endroit, et représente {2|la copie|les copies} %3</translation>
+        <source>is drawn %1 times in one place, and stands for: %2</source>
+        <translation>est dessiné %1 fois au même endroit, et représente&#xa0;: %2</translation>
     </message>
     <message>
         <source>Delete the copies in the CAD program.</source>

@@ -746,7 +746,7 @@ TEST_F(Cli, TwoRevisionsAreComparedAndStepsThatHoldAreKept) {
   Json revised = Json::parse(scenarioOfOld);
   revised["bodies"].push_back({{"id", "roof"},
                                {"geometry", {{"box", {0.15, 0.15, 0.01}}}},
-                               {"pose", {{"position", {0.05, 0, 0.14}}, {"orientation", {0, 0, 0, 1}}}}});
+                               {"pose", {{"position", {0.145, 0, 0.14}}, {"orientation", {0, 0, 0, 1}}}}});
   const std::string now = write("now.json", revised.dump());
   EXPECT_EQ(run("compare " + old + " " + now).exitCode, 1);
   const Finished compared = run("compare " + old + " " + now + " --plan " + plan + " --json");

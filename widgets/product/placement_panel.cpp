@@ -23,6 +23,7 @@ constexpr double kFinestPlace = 1e-5;
 
 PlacementPanel::PlacementPanel(QWidget* parent) : QWidget(parent), name_(new QLabel(this)), refused_(new QLabel(this)) {
   name_->setTextFormat(Qt::PlainText);
+  name_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   refused_->setTextFormat(Qt::PlainText);
   refused_->setObjectName(QStringLiteral("place-refused"));
   refused_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
@@ -171,9 +172,16 @@ void PlacementPanel::show(const QString& name, const std::optional<Pose>& X_WB, 
 
 void PlacementPanel::showTitle() {
   const QString unit = lengthField(kFinestPlace).unit;
-  name_->setText(!isPlaced_              ? tr("Placement: select one body, start or goal")
-                 : placedName_.isEmpty() ? tr("Placement, %1 and °").arg(unit)
-                                         : tr("Placement of %1, %2 and °").arg(placedName_, unit));
+  const QString title = !isPlaced_              ? tr("Placement: select one body, start or goal")
+                        : placedName_.isEmpty() ? tr("Placement, %1 and °").arg(unit)
+                                                : tr("Placement of %1, %2 and °").arg(placedName_, unit);
+  name_->setText(name_->fontMetrics().elidedText(title, Qt::ElideMiddle, width() - kSides));
+  name_->setToolTip(name_->text() == title ? QString() : title);
+}
+
+void PlacementPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  showTitle();
 }
 
 void PlacementPanel::showUnit() {

@@ -42,6 +42,7 @@ class PlacementPanel final : public QWidget {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   QuantityBox* addBox(QuantityBox::Quantity quantity, int axis, const QString& tip);

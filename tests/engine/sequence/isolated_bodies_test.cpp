@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/sequence/base_choice.h"
+#include "engine/sequence/isolated_bodies.h"
 #include "engine/sequence/sequence_run.h"
 #include "tests/engine/sequence/products.h"
 
@@ -35,13 +36,23 @@ TEST(IsolatedBodies, LeaveFirstAndAreNamed) {
 TEST(IsolatedBodies, AreNoBaseEvenIfAllOthersAreFasteners) {
   const AssembledProduct product = blocksAndOneBeside();
   const LiaisonGraph graph(4, test::fitsOf(product).contacts(), {});
-  EXPECT_EQ(graph.isolated(), std::vector<std::size_t>{2});
+  EXPECT_EQ(isolatedBodies(product, graph), BodyGroup{2});
   std::vector<FastenerKind> kinds(4, FastenerKind::Washer);
   kinds[2] = FastenerKind::None;
   EXPECT_EQ(baseOf(product, BodySet(4, true), graph, {}, kinds, -Vector3::UnitZ()), 1U);
 }
 
-TEST(IsolatedBodies, AreNotKnownWithoutContacts) { EXPECT_TRUE(LiaisonGraph(3, {}, {}).isolated().empty()); }
+TEST(IsolatedBodies, AreNotKnownWithoutContacts) {
+  const AssembledProduct product = blocksAndOneBeside();
+  EXPECT_TRUE(isolatedBodies(product, LiaisonGraph(4, {}, {})).empty());
+}
+
+TEST(IsolatedBodies, AreNoPartsThatAreDrawnWithPlay) {
+  AssembledProduct product = blocksAndOneBeside();
+  const LiaisonGraph graph(4, test::fitsOf(product).contacts(), {});
+  product.bodies[2].X_WB.position.x() = 0.701;  // 1 mm beside the plate
+  EXPECT_TRUE(isolatedBodies(product, graph).empty());
+}
 
 }  // namespace
 }  // namespace glissade
