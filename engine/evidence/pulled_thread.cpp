@@ -165,7 +165,7 @@ bool isCoreOfThread(double radius, double depth) {
 }
 
 bool hasDepthOfThread(double radius, double depth) {
-  constexpr double kLeastPitches = 0.25;
+  constexpr double kLeastPitches = 0.2;
   return (depth > kLeastThreadDepth * radius && depth >= kLeastPitches * usualThreadSize(2.0 * radius).pitch) ||
          isCoreOfThread(radius, depth);
 }

@@ -48,7 +48,7 @@ inline constexpr double kMostThreadDepth = 0.3;
 /// the depth of the standard: the fine pitches of a large diameter together suit almost every depth.
 bool isCoreOfThread(double radius, double depth);
 
-/// True if a shaft is thicker than its hole by what a thread is deep: by 0.25 coarse pitches or more, since a hole is
+/// True if a shaft is thicker than its hole by what a thread is deep: by 0.2 coarse pitches or more, since a hole is
 /// drawn as the core of the thread (0.54 pitches by ISO 68-1), as its tap drill (0.5) or with its pitch diameter
 /// (0.32), or as isCoreOfThread() says. A shaft that is less thick is pressed in, or is a spline. Metres.
 bool hasDepthOfThread(double radius, double depth);

@@ -148,13 +148,13 @@ TriangleMesh insideOut(TriangleMesh mesh) {
 
 TEST(ContactReport, AMeshThatIsInsideOutHasTheSameContacts) {
   const TriangleMesh ring = test::makeRing(0.005, 0.01, 0.02, 24);
-  const TriangleMesh shaft = test::makeRing(0.0, 0.00525, 0.04, 31);
+  const TriangleMesh shaft = test::makeRing(0.0, 0.0055, 0.04, 31);
   for (const auto& [a, b] : {std::pair{ring, shaft}, std::pair{insideOut(ring), shaft},
                              std::pair{ring, insideOut(shaft)}, std::pair{insideOut(ring), insideOut(shaft)}}) {
     const ContactReport report = findContacts({body("a", a, Pose::identity()), body("b", b, Pose::identity())});
     ASSERT_EQ(report.contacts.size(), 1U);
     EXPECT_EQ(report.contacts.front().kind, ContactKind::Thread);
-    EXPECT_NEAR(report.contacts.front().overlap, 0.00025, 1e-7);
+    EXPECT_NEAR(report.contacts.front().overlap, 0.0005, 1e-7);
   }
 }
 
