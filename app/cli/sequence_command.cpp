@@ -10,6 +10,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/plan_conditions.h"
 #include "app/cli/plan_printer.h"
+#include "engine/base/number_text.h"
 #include "engine/base/quantity_text.h"
 #include "engine/base/time_limit.h"
 #include "engine/base/version_text.h"
@@ -28,6 +29,7 @@
 #include "engine/sequence/product_finder.h"
 #include "engine/sequence/sequence_run.h"
 #include "engine/sequence/stated_units.h"
+#include "engine/sequence/subassembly_lines.h"
 #include "engine/sequence/step_motion.h"
 
 namespace glissade::cli {

@@ -142,7 +142,7 @@ void NearestNeighbours::splitLeaf(std::uint32_t node) {
   inner.children = children;
   inner.axis = axis;
   inner.split = split;
-  inner.packets = {};
+  inner.packets = std::vector<Packet>();
   inner.count = 0;
 }
 
