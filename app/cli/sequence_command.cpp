@@ -10,6 +10,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/plan_conditions.h"
 #include "app/cli/plan_printer.h"
+#include "app/cli/text_cells.h"
 #include "engine/base/number_text.h"
 #include "engine/base/quantity_text.h"
 #include "engine/base/time_limit.h"
