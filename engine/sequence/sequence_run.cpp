@@ -12,6 +12,7 @@
 #include "engine/sequence/joined_units.h"
 #include "engine/sequence/joint_rules.h"
 #include "engine/sequence/motion_trial.h"
+#include "engine/sequence/plan_steps.h"
 #include "engine/sequence/standing.h"
 #include "engine/sequence/step_joints.h"
 #include "engine/sequence/step_precedence.h"
