@@ -1,7 +1,6 @@
 #include "engine/fits/contact_report.h"
 
 #include <algorithm>
-#include <atomic>
 #include <memory>
 #include <mutex>
 #include <tuple>
@@ -16,19 +15,11 @@ namespace {
 
 using Pair = std::pair<std::size_t, std::size_t>;
 
-/// Prepares bodies for their first comparison and drops them after their last one, because prepared bodies of fine
-/// meshes need much memory. The surfaces of each mesh are found once. Thread-safe.
+/// Prepares each body for its first comparison, and the surfaces of each mesh once. Thread-safe.
 class Preparation {
  public:
-  Preparation(const std::vector<ContactBody>& bodies, const std::vector<Pair>& pairs)
-      : bodies_(bodies), prepared_(bodies.size()) {
-    for (const auto& [a, b] : pairs) {
-      ++prepared_[a].left;
-      ++prepared_[b].left;
-    }
-  }
+  explicit Preparation(const std::vector<ContactBody>& bodies) : bodies_(bodies), prepared_(bodies.size()) {}
 
-  /// Precondition: a pair of the body is left.
   const PreparedBody& of(std::size_t index) {
     Prepared& own = prepared_[index];
     std::call_once(own.isMade, [&] {
@@ -38,11 +29,6 @@ class Preparation {
                                                       transformed(shape->regions, body.X_WB), body.deflection);
     });
     return *own.body;
-  }
-  void finish(const Pair& pair) {
-    for (const std::size_t index : {pair.first, pair.second}) {
-      if (--prepared_[index].left == 0) prepared_[index].body.reset();
-    }
   }
 
  private:
@@ -61,7 +47,6 @@ class Preparation {
   struct Prepared {
     std::once_flag isMade;
     std::unique_ptr<const PreparedBody> body;
-    std::atomic<int> left{0};  ///< number of pairs
   };
 
   const std::vector<ContactBody>& bodies_;
@@ -88,18 +73,13 @@ std::vector<Pair> nearPairs(const std::vector<ContactBody>& bodies, const Contac
   return pairs;
 }
 
-/// Puts the pairs of each body next to each other, by the finer mesh of the pair: fine meshes are prepared for a short
-/// time. The finest come first, since a long last pair leaves the other threads idle, or last (`smallFirst`), so that
-/// most pairs are compared in a limited time.
-void order(const std::vector<ContactBody>& bodies, bool smallFirst, std::vector<Pair>& pairs) {
-  const auto trianglesOf = [&](std::size_t body) { return bodies[body].mesh->triangles.size(); };
-  const auto keyOf = [&](const Pair& pair) {
-    const std::size_t finer = trianglesOf(pair.first) > trianglesOf(pair.second) ? pair.first : pair.second;
-    return std::pair(trianglesOf(finer), finer);
+/// Sorts pairs by their finer mesh, the coarsest first: most pairs are compared in a limited time then.
+void sortBySize(const std::vector<ContactBody>& bodies, std::vector<Pair>& pairs) {
+  const auto sizeOf = [&](const Pair& pair) {
+    return std::max(bodies[pair.first].mesh->triangles.size(), bodies[pair.second].mesh->triangles.size());
   };
-  std::stable_sort(pairs.begin(), pairs.end(), [&](const Pair& one, const Pair& other) {
-    return smallFirst ? keyOf(one) < keyOf(other) : keyOf(one) > keyOf(other);
-  });
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [&](const Pair& one, const Pair& other) { return sizeOf(one) < sizeOf(other); });
 }
 
 }  // namespace
@@ -107,8 +87,8 @@ void order(const std::vector<ContactBody>& bodies, bool smallFirst, std::vector<
 ContactReport findContacts(const std::vector<ContactBody>& bodies, const ContactLimits& limits, const WorkWatch& watch,
                            ThreadTeam& team, const std::optional<StopToken>& enough) {
   auto pairs = nearPairs(bodies, limits);
-  order(bodies, enough.has_value(), pairs);
-  Preparation prepared(bodies, pairs);
+  if (enough) sortBySize(bodies, pairs);
+  Preparation prepared(bodies);
   std::vector<std::optional<Contact>> found(pairs.size());
   std::vector<char> isLeft(pairs.size(), 0);
   PartCount done(watch, pairs.size());
@@ -116,7 +96,6 @@ ContactReport findContacts(const std::vector<ContactBody>& bodies, const Contact
     if (watch.stop.stopRequested()) return;
     isLeft[i] = enough && enough->stopRequested();
     if (isLeft[i] == 0) found[i] = contactOf(prepared.of(pairs[i].first), prepared.of(pairs[i].second), limits);
-    prepared.finish(pairs[i]);
     done.add();
   });
   ContactReport report;

@@ -1,7 +1,5 @@
 #include "engine/fits/thinnable_bodies.h"
 
-#include "engine/base/file.h"
-
 namespace glissade {
 
 const ThinnableMesh* ThinnableBodies::of(const MeshPtr& mesh) {
@@ -18,15 +16,10 @@ const ThinnableMesh* ThinnableBodies::of(const MeshPtr& mesh) {
 
 /// Two threads that need the same mesh may both make it; the first result is kept.
 MeshPtr ThinnableBodies::thinned(const MeshPtr& mesh, const std::vector<double>& allowances, double share) {
-  constexpr std::size_t kFewTriangles = 5000;
-  const std::string bytes(reinterpret_cast<const char*>(allowances.data()), allowances.size() * sizeof(double));
-  const std::tuple key{mesh, sha256(bytes), share};
+  std::tuple key{mesh, allowances, share};
   {
     const std::lock_guard lock(mutex_);
-    if (const auto known = thinned_.find(key); known != thinned_.end()) {
-      if (!known->second.hasRoom) return nullptr;
-      if (MeshPtr made = known->second.mesh.lock()) return made;
-    }
+    if (const auto known = thinned_.find(key); known != thinned_.end()) return known->second;
   }
   MeshPtr thinner;
   if (const ThinnableMesh* thinnable = of(mesh)) {
@@ -35,11 +28,7 @@ MeshPtr ThinnableBodies::thinned(const MeshPtr& mesh, const std::vector<double>&
     }
   }
   const std::lock_guard lock(mutex_);
-  Thinned& entry = thinned_[key];
-  if (MeshPtr made = entry.mesh.lock()) return made;
-  const bool isKept = thinner && thinner->triangles.size() <= kFewTriangles;
-  entry = {thinner, isKept ? thinner : nullptr, thinner != nullptr};
-  return thinner;
+  return thinned_.try_emplace(std::move(key), std::move(thinner)).first->second;
 }
 
 }  // namespace glissade

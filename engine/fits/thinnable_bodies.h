@@ -4,7 +4,6 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -20,7 +19,7 @@ class ThinnableBodies {
   /// Null if the mesh encloses nothing. Valid as long as this object.
   const ThinnableMesh* of(const MeshPtr& mesh);
   /// Thins by an allowance for each triangle, metres; `share`: see ThinnableMesh. Null if the mesh has no inside there,
-  /// or no room. A thinned mesh of many triangles that nobody holds any more is made again.
+  /// or no room.
   MeshPtr thinned(const MeshPtr& mesh, const std::vector<double>& allowances, double share = kMostThinning);
 
  private:
@@ -30,14 +29,7 @@ class ThinnableBodies {
   };
   std::mutex mutex_;  ///< protects the members below
   std::map<MeshPtr, std::unique_ptr<Entry>> entries_;
-  struct Thinned {
-    std::weak_ptr<const TriangleMesh> mesh{};
-    MeshPtr kept{};       ///< keeps a mesh of few triangles
-    bool hasRoom = true;  ///< false: it is known that there is no mesh
-  };
-  /// By the mesh, the hash of the allowances, and the share. Kept allowances and unused meshes were most of the memory
-  /// of the fits of fine meshes.
-  std::map<std::tuple<MeshPtr, std::string, double>, Thinned> thinned_;
+  std::map<std::tuple<MeshPtr, std::vector<double>, double>, MeshPtr> thinned_;
 };
 
 }  // namespace glissade

@@ -8,7 +8,6 @@
 
 #include "engine/sequence/greedy_strategy.h"
 #include "engine/sequence/holding.h"
-#include "engine/sequence/isolated_bodies.h"
 #include "engine/sequence/joint_removal.h"
 #include "engine/sequence/order_search.h"
 #include "engine/sequence/plan_steps.h"
@@ -161,8 +160,7 @@ class Reordering {
   }
 
   void findIsolated() {
-    if (question_.liaisons == nullptr) return;
-    for (const std::size_t body : isolatedBodies(question_.product, *question_.liaisons)) {
+    for (const std::size_t body : question_.isolated) {
       const auto alone = std::find(groups_.begin(), groups_.end(), BodyGroup{body});
       if (alone != groups_.end()) isolated_.push_back(static_cast<std::size_t>(alone - groups_.begin()));
     }
@@ -338,25 +336,11 @@ void putInOrder(AssemblyPlan& plan, const SequenceQuestion& question, const Stop
   if (auto steps = reordered(plan, order, question, stop)) plan.steps = std::move(*steps);
 }
 
-Box3 boxOfBody(std::size_t body, const SequenceQuestion& question) {
-  const RigidBody& own = question.product.bodies[body];
-  return boundingBox(*own.mesh, own.X_WB);
-}
-
-/// How far the group slides along the bodies of `others` that it fits with, metres.
-double slideOf(const BodyGroup& group, const std::vector<PathPoint>& path, const BodySet& others,
-               const SequenceQuestion& question) {
+/// The displacements of a motion.
+std::vector<Vector3> displacementsOf(const std::vector<PathPoint>& path) {
   std::vector<Vector3> ways;
   for (std::size_t i = 1; i < path.size(); ++i) ways.push_back(path[i].q.position - path[i - 1].q.position);
-  double slide = 0.0;
-  for (const std::size_t body : group) {
-    std::vector<Box3> touched;
-    for (const Fit& fit : question.fits->fitsOf(body)) {
-      if (others[fit.obstacle]) touched.push_back(boxOfBody(fit.obstacle, question));
-    }
-    slide = std::max(slide, lengthBeside(boxOfBody(body, question), touched, ways));
-  }
-  return slide;
+  return ways;
 }
 
 /// Gives steps another straight motion where, at their place in the order, the body slides less along what it touches.
@@ -364,18 +348,23 @@ double slideOf(const BodyGroup& group, const std::vector<PathPoint>& path, const
 /// if a motion has changed.
 bool takeShorterSlides(AssemblyPlan& plan, const SequenceQuestion& question, const StopToken& stop) {
   if (question.fits == nullptr) return false;
+  std::vector<Box3> boxes;
+  for (const RigidBody& body : question.product.bodies) boxes.push_back(boundingBox(*body.mesh, body.X_WB));
+  const auto slideOn = [&](const BodyGroup& group, const std::vector<PathPoint>& path, const BodySet& others) {
+    return slideOf(group, displacementsOf(path), others, *question.fits, [&](std::size_t body) { return boxes[body]; });
+  };
   bool changed = false;
   BodySet present = question.initial();
   for (std::size_t i = 0; i < plan.steps.size() && !stop.stopRequested(); ++i) {
     StepMotion& motion = plan.steps[i].only();
     const BodyGroup group = groupOf(motion, question.product);
     const BodySet others = without(present, group);
-    const double slide = slideOf(group, motion.path, others, question);
-    const double least = kWorthwhileSlide * boxOfBody(group.front(), question).diagonal().norm();
+    const double slide = slideOn(group, motion.path, others);
+    const double least = kWorthwhileSlide * boxes[group.front()].diagonal().norm();
     if (motion.certified && motion.method != kTurned && motion.method != kByHand && slide > least) {
       const RemovalAnswer answer = question.trial.tryRemoval(group, present, 0, stop);
       const auto* removed = std::get_if<Removed>(&answer);
-      if (removed != nullptr && slideOf(group, removed->path.points, others, question) < slide - least) {
+      if (removed != nullptr && slideOn(group, removed->path.points, others) < slide - least) {
         const std::vector<BodyId> falling = motion.falling;
         motion = makeMotion(group, *removed, question, present, i);
         motion.falling = falling;

@@ -74,4 +74,17 @@ double lengthBeside(const Box3& box, const std::vector<Box3>& others, const std:
   return length;
 }
 
+double slideOf(const BodyGroup& group, const std::vector<Vector3>& ways, const BodySet& others, const ProductFits& fits,
+               const std::function<Box3(std::size_t body)>& boxOf) {
+  double slide = 0.0;
+  for (const std::size_t body : group) {
+    std::vector<Box3> touched;
+    for (const Fit& fit : fits.fitsOf(body)) {
+      if (others[fit.obstacle]) touched.push_back(boxOf(fit.obstacle));
+    }
+    slide = std::max(slide, lengthBeside(boxOf(body), touched, ways));
+  }
+  return slide;
+}
+
 }  // namespace glissade

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "engine/sequence/product_fits.h"
@@ -19,7 +20,12 @@ double leavingMargin(double radius);
 double wayOutOf(const Box3& inner, const Box3& outer, const Vector3& direction, double margin);
 
 /// How far a box moves along these displacements, one after the other, until it is beside none of the other boxes,
-/// metres: a part slides that far along what it touches. 0: there is no other box.
+/// metres. 0: there is no other box.
 double lengthBeside(const Box3& box, const std::vector<Box3>& others, const std::vector<Vector3>& ways);
+
+/// How far the bodies of the group slide along the bodies of `others` that they fit with, while the group moves along
+/// these displacements, metres. `boxOf`: box of a body where the product is assembled, world frame.
+double slideOf(const BodyGroup& group, const std::vector<Vector3>& ways, const BodySet& others, const ProductFits& fits,
+               const std::function<Box3(std::size_t body)>& boxOf);
 
 }  // namespace glissade

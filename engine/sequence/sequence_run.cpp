@@ -156,12 +156,13 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
                                   counting,
                                   {},
                                   &fits,
-                                  &liaisons};
+                                  &liaisons,
+                                  isolatedBodies(product, liaisons)};
   SavableHost savable(request, host);
   AssemblyPlan plan = strategy->make()->plan(question, savable);
   // A plan in which every body stays takes nothing apart. The judge does not call it complete.
   if (plan.parts() == 0 && plan.end == PlanEnd::Complete) plan.end = PlanEnd::Stuck;
-  plan.isolated = idsOf(isolatedBodies(product, liaisons), product);
+  plan.isolated = idsOf(question.isolated, product);
   addJoints(plan, question);
   addLines(plan, question, host);
   addTools(plan, question, host);

@@ -37,6 +37,7 @@ struct SequenceQuestion {
   BodySet there{};                         ///< bodies that are there at the beginning; empty: all
   const ProductFits* fits = nullptr;       ///< fits that motions rely on; null: not known
   const LiaisonGraph* liaisons = nullptr;  ///< what holds the bodies to each other; null: not known
+  BodyGroup isolated{};                    ///< see isolatedBodies(); empty: none, or not known
 
   BodySet initial() const { return there.empty() ? BodySet(product.bodies.size(), true) : there; }
 };

@@ -60,19 +60,12 @@ RemovalAnswer StraightRemoval::tryRemoval(const BodyGroup& group, const BodySet&
 void StraightRemoval::sortBySlide(const BodyGroup& group, const BodySet& others, std::vector<Vector3>& directions) {
   double size = 0.0;
   for (const std::size_t body : group) size = std::max(size, worlds_.boxOf(body).diagonal().norm());
-  const auto slideAlong = [&](const Vector3& direction) {
-    double slide = 0.0;
-    for (const std::size_t body : group) {
-      std::vector<Box3> touched;
-      for (const Fit& fit : fits_.fitsOf(body)) {
-        if (others[fit.obstacle]) touched.push_back(worlds_.boxOf(fit.obstacle));
-      }
-      slide = std::max(slide, lengthBeside(worlds_.boxOf(body), touched, {lineAlong(body, direction).way}));
-    }
-    return std::llround(slide / (kSameSlide * size));
-  };
+  const auto boxOf = [&](std::size_t body) { return worlds_.boxOf(body); };
   std::vector<std::pair<long long, Vector3>> sorted;
-  for (const Vector3& direction : directions) sorted.emplace_back(slideAlong(direction), direction);
+  for (const Vector3& direction : directions) {
+    const double slide = slideOf(group, {lineAlong(group.front(), direction).way}, others, fits_, boxOf);
+    sorted.emplace_back(std::llround(slide / (kSameSlide * size)), direction);
+  }
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const auto& one, const auto& other) { return one.first < other.first; });
   std::transform(sorted.begin(), sorted.end(), directions.begin(), [](const auto& each) { return each.second; });

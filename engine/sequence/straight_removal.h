@@ -24,7 +24,7 @@ class StraightRemoval {
   StraightRemoval(const AssembledProduct& product, const ProductFits& fits, MotionWorlds& worlds,
                   const ThreadDemands* threads);
 
-  /// See RemovalTrial::tryRemoval(). Of free lines, that along which the group slides least along what it touches.
+  /// See RemovalTrial::tryRemoval(). The answer is the free line on which the group slides least along what it touches.
   RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, const StopToken& stop);
   /// See RemovalTrial::groupsAlongLines(). `links`: pairs of present bodies; the second one leaves only together with
   /// the first one.
