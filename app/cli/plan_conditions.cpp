@@ -6,6 +6,7 @@
 
 #include "engine/check/condition.h"
 #include "engine/check/standard_pitch.h"
+#include "engine/sequence/plan_bodies.h"
 
 namespace glissade::cli {
 namespace {
@@ -25,19 +26,11 @@ void addPitches(const StepMotion& motion, const AssembledProduct& product, std::
   }
 }
 
-void addPitches(const std::vector<AssemblyStep>& steps, const std::vector<SubassemblyLine>& lines,
-                const AssembledProduct& product, std::vector<Message>& conditions) {
-  for (const AssemblyStep& step : steps) {
-    for (const StepMotion& motion : step.motions) addPitches(motion, product, conditions);
-  }
-  for (const SubassemblyLine& line : lines) addPitches(line.steps, line.lines, product, conditions);
-}
-
 }  // namespace
 
 std::vector<Message> conditionsOf(const AssemblyPlan& plan, const AssembledProduct& product, const StatedUnits& units) {
   std::vector<Message> conditions;
-  addPitches(plan.steps, plan.lines, product, conditions);
+  for (const StepMotion* motion : allMotionsOf(plan)) addPitches(*motion, product, conditions);
   for (const auto& unit : units.leaving) conditions.push_back(check::areOneUnit(unit).text);
   if (!units.base.empty()) conditions.push_back(check::areFixedAsBase(units.base).text);
   return conditions;

@@ -117,16 +117,13 @@ void PlanPrinter::printLines(const std::vector<SubassemblyLine>& lines, std::siz
 }
 
 /// The number of screws in bodies that have no hole for them in the file.
-std::size_t screwHoles(const std::vector<AssemblyStep>& steps, const std::vector<SubassemblyLine>& lines) {
+std::size_t screwHoles(const AssemblyPlan& plan) {
   std::size_t holes = 0;
-  for (const AssemblyStep& step : steps) {
-    for (const StepMotion& motion : step.motions) {
-      holes += static_cast<std::size_t>(
-          std::count_if(motion.allowances.begin(), motion.allowances.end(),
-                        [](const Allowance& each) { return each.hollow && each.kind == ContactKind::Thread; }));
-    }
+  for (const StepMotion* motion : allMotionsOf(plan)) {
+    holes += static_cast<std::size_t>(
+        std::count_if(motion->allowances.begin(), motion->allowances.end(),
+                      [](const Allowance& each) { return each.hollow && each.kind == ContactKind::Thread; }));
   }
-  for (const SubassemblyLine& line : lines) holes += screwHoles(line.steps, line.lines);
   return holes;
 }
 
@@ -162,7 +159,7 @@ void PlanPrinter::print(const AssemblyPlan& plan, double seconds) const {
         {GLISSADE_TEXT("%1 of the removed parts are in groups that are not disassembled"), {plan.removed() - apart}});
   }
   console_.print({GLISSADE_TEXT("%1, computed in %2 s"), {stepsInWords(plan), rounded(seconds)}});
-  if (const std::size_t holes = screwHoles(plan.steps, plan.lines); holes > 0) {
+  if (const std::size_t holes = screwHoles(plan); holes > 0) {
     console_.print(
         {GLISSADE_TEXT("screws in bodies without a tapped hole in the file, each of which makes its own: %1"),
          {holes}});

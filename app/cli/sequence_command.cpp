@@ -30,8 +30,8 @@
 #include "engine/sequence/product_finder.h"
 #include "engine/sequence/sequence_run.h"
 #include "engine/sequence/stated_units.h"
-#include "engine/sequence/subassembly_lines.h"
 #include "engine/sequence/step_motion.h"
+#include "engine/sequence/subassembly_lines.h"
 
 namespace glissade::cli {
 namespace {

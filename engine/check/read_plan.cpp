@@ -101,7 +101,7 @@ Step readMotion(const JsonCursor& at, Step step) {
   return step;
 }
 
-/// What is of the step and of each of its motions. `number`: of the step, from 1.
+/// Reads the keys that count for all motions of the step. `number`: number of the step, from 1.
 Step readWhole(const JsonCursor& at, std::size_t number) {
   Step step;
   step.number = number;

@@ -9,27 +9,22 @@
 #include "engine/documents/plan_words.h"
 #include "engine/geometry/mesh_volume.h"
 #include "engine/model/designation.h"
+#include "engine/sequence/plan_bodies.h"
 
 namespace glissade {
 namespace {
 
 using TextsById = std::map<BodyId, std::string>;
 
-void addDesignations(const std::vector<AssemblyStep>& steps, TextsById& designations) {
-  for (const AssemblyStep& step : steps) {
-    for (const StepMotion& motion : step.motions) {
-      for (const StepJoint& joint : motion.joints) {
-        if (!joint.designation.empty()) designations[joint.body] = joint.designation;
-      }
+/// The designations of fasteners, from the joints of their motions.
+TextsById designationsIn(const AssemblyPlan& plan) {
+  TextsById designations;
+  for (const StepMotion* motion : allMotionsOf(plan)) {
+    for (const StepJoint& joint : motion->joints) {
+      if (!joint.designation.empty()) designations[joint.body] = joint.designation;
     }
   }
-}
-
-void addDesignations(const std::vector<SubassemblyLine>& lines, TextsById& designations) {
-  for (const SubassemblyLine& line : lines) {
-    addDesignations(line.steps, designations);
-    addDesignations(line.lines, designations);
-  }
+  return designations;
 }
 
 /// Properties that two meshes of one part have in common, independent of their poses: counts, and area and volume up to
@@ -110,9 +105,7 @@ bool namesOnePart(const std::string& designation) {
 }
 
 std::vector<PartsListRow> partsList(const AssemblyPlan& plan, const AssembledProduct& product) {
-  TextsById designations;
-  addDesignations(plan.steps, designations);
-  addDesignations(plan.lines, designations);
+  const TextsById designations = designationsIn(plan);
   const std::map<BodyId, std::size_t> stepOf = stepsByBody(plan);
   const std::set<BodyId> base(plan.staying.begin(), plan.staying.end());
   std::vector<PartsListRow> rows;

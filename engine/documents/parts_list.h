@@ -28,9 +28,8 @@ struct PartsListRow {
 bool namesOnePart(const std::string& designation);
 
 /// The parts list of a plan. Fasteners of a designation that names one part are one row, and so are other parts of one
-/// shape and name. A
-/// counter at the end of a name is ignored: "nut-1" and "nut-2" are the row "nut". Rows are in the order of their first
-/// use in the assembly, then of their names. Precondition: the plan is about the product.
+/// shape and name. A counter at the end of a name is ignored: "nut-1" and "nut-2" are the row "nut". Rows are in the
+/// order of their first use in the assembly, then of their names. Precondition: the plan is about the product.
 std::vector<PartsListRow> partsList(const AssemblyPlan& plan, const AssembledProduct& product);
 
 /// The steps that bring the parts of a row: "base, 3, 7"; "no step" where one has none.

@@ -308,7 +308,7 @@ class PairExaminer {
   }
 
   /// The axis of a shaft that is in the wall of a hole, because the axes are parallel and beside each other, as of a
-  /// screw that is placed so. Of several, the pair that is beside each other for longest.
+  /// screw that is placed so. The longest common part counts where there are several.
   std::optional<ContactAxis> axisBeside() const {
     constexpr double kParallel = 1e-4;
     constexpr double kMostBeside = 1e-3;

@@ -335,8 +335,9 @@ class SuggestedJointFinder {
     const Box3 box = boundingBox(*shapes_.body(body).mesh);
     const Vector3 axis = thinAxisOf(body);
     const double thickness = box.sizes().dot(axis);
-    Vector3 others = box.sizes() + 1e9 * axis;
-    if (thickness > kFlat * others.minCoeff()) return false;
+    Vector3 sizes = box.sizes();
+    std::sort(sizes.data(), sizes.data() + 3);
+    if (thickness > kFlat * sizes[1]) return false;
     const Vector3 outside = box.center() - thickness * axis;
     return !std::isfinite(shapes_.axial(body).tree().firstHit(outside, axis, 0.0));
   }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/fits/fit_refusals.h"
+#include "engine/sequence/plan_bodies.h"
 
 namespace glissade {
 namespace {
@@ -21,13 +22,6 @@ class ClashesByPair {
       clash.depth = std::max(clash.depth, allowance.overlap);
       if (allowance.hollow) clash.cut = allowance.yields ? allowance.body : moving;
     }
-  }
-
-  void add(const std::vector<AssemblyStep>& steps, const std::vector<SubassemblyLine>& lines) {
-    for (const AssemblyStep& step : steps) {
-      for (const StepMotion& motion : step.motions) add(motion);
-    }
-    for (const SubassemblyLine& line : lines) add(line.steps, line.lines);
   }
 
   std::vector<AcceptedClash> all() const {
@@ -50,7 +44,7 @@ std::vector<AcceptedClash> acceptedClashesOf(const StepMotion& motion) {
 
 std::vector<AcceptedClash> acceptedClashesOf(const AssemblyPlan& plan) {
   ClashesByPair clashes;
-  clashes.add(plan.steps, plan.lines);
+  for (const StepMotion* motion : allMotionsOf(plan)) clashes.add(*motion);
   return clashes.all();
 }
 

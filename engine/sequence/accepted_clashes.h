@@ -20,7 +20,7 @@ struct AcceptedClash {
 /// The accepted clashes that the motion needs, by pair.
 std::vector<AcceptedClash> acceptedClashesOf(const StepMotion& motion);
 
-/// Those of all motions of the plan and of its lines, each pair once, by pair.
+/// The accepted clashes that the motions of the plan and of its lines need, each pair once, by pair.
 std::vector<AcceptedClash> acceptedClashesOf(const AssemblyPlan& plan);
 
 /// "'A' and 'B', 0.5 mm: 'A' is cut". Precondition: the clash is of this product.

@@ -3,25 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/sequence/plan_bodies.h"
+
 namespace glissade {
-namespace {
-
-std::size_t withoutProof(const std::vector<AssemblyStep>& steps) {
-  std::size_t count = 0;
-  for (const AssemblyStep& step : steps) {
-    for (const StepMotion& motion : step.motions) count += motion.certified ? 0 : 1 + motion.with.size();
-  }
-  return count;
-}
-
-std::size_t withoutProof(const std::vector<SubassemblyLine>& lines) {
-  std::size_t count = 0;
-  for (const SubassemblyLine& line : lines) count += withoutProof(line.steps) + withoutProof(line.lines);
-  return count;
-}
-
-}  // namespace
-
 Message methodInWords(const std::string& method) {
   constexpr std::array<CatalogueText, 5> kMethods{GLISSADE_TEXT("straight"), GLISSADE_TEXT("two lines"),
                                                   GLISSADE_TEXT("turned"), GLISSADE_TEXT("by hand"),
@@ -63,6 +47,10 @@ std::size_t AssemblyPlan::removed() const {
   return count;
 }
 
-std::size_t AssemblyPlan::removedWithoutProof() const { return withoutProof(steps) + withoutProof(lines); }
+std::size_t AssemblyPlan::removedWithoutProof() const {
+  std::size_t count = 0;
+  for (const StepMotion* motion : allMotionsOf(*this)) count += motion->certified ? 0 : 1 + motion->with.size();
+  return count;
+}
 
 }  // namespace glissade

@@ -107,10 +107,24 @@ class Renaming {
   const std::map<BodyId, BodyId>& ids_;
 };
 
+void addMotions(const std::vector<AssemblyStep>& steps, const std::vector<SubassemblyLine>& lines,
+                std::vector<const StepMotion*>& all) {
+  for (const AssemblyStep& step : steps) {
+    for (const StepMotion& motion : step.motions) all.push_back(&motion);
+  }
+  for (const SubassemblyLine& line : lines) addMotions(line.steps, line.lines, all);
+}
+
 }  // namespace
 
 std::vector<std::size_t> bodiesOf(const AssemblyStep& step, const AssembledProduct& product) {
   return product.indicesOf(step.bodies());
+}
+
+std::vector<const StepMotion*> allMotionsOf(const AssemblyPlan& plan) {
+  std::vector<const StepMotion*> all;
+  addMotions(plan.steps, plan.lines, all);
+  return all;
 }
 
 std::vector<const StepMotion*> motionsOf(const AssemblyStep& step, PlanOrder order) {

@@ -16,6 +16,9 @@ std::vector<std::size_t> bodiesOf(const AssemblyStep& step, const AssembledProdu
 /// The motions of a step in this order.
 std::vector<const StepMotion*> motionsOf(const AssemblyStep& step, PlanOrder order);
 
+/// All motions of the plan and of the lines of its groups.
+std::vector<const StepMotion*> allMotionsOf(const AssemblyPlan& plan);
+
 /// The allowances of a motion against bodies that are there when the steps are carried out in their order; a motion
 /// also states those of other orders (addPrecedence()). `at`: index of its step. Precondition: the motion is one of the
 /// step.

@@ -41,6 +41,9 @@ std::optional<double> numberOf(const PaperColumn& column, const SessionSnapshot&
   return std::nullopt;
 }
 
+/// A text of a study file as HTML.
+QString escaped(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
+
 QString rowOf(const QString& title, const QStringList& cells) {
   return QStringLiteral("<tr><td>%1</td><td align='right'>%2</td></tr>")
       .arg(title, cells.join(QStringLiteral("</td><td align='right'>")));
@@ -56,7 +59,7 @@ QString tableOf(const Study& study, const StudyCell& cell, const SessionSnapshot
     const auto* number = printed == cell.paper.end() ? nullptr : std::get_if<double>(&printed->second);
     const auto mine = numberOf(column, run);
     const auto spread = cell.measured.find(column.key);
-    titles << QString::fromStdString(column.title);
+    titles << escaped(column.title);
     paper << (number != nullptr ? numberText(*number) : QStringLiteral("–"));
     own << (mine ? numberText(*mine) : QStringLiteral("–"));
     measured << (spread == cell.measured.end() ? QStringLiteral("–")
@@ -65,12 +68,12 @@ QString tableOf(const Study& study, const StudyCell& cell, const SessionSnapshot
                                                           numberText(spread->second[2])));
   }
   QString html = QStringLiteral("<p><b>%1</b>, %2</p><table cellspacing='4'>")
-                     .arg(QString::fromStdString(study.heading.title), QString::fromStdString(cell.row));
+                     .arg(escaped(study.heading.title), escaped(cell.row));
   html += rowOf({}, titles) + rowOf(PaperComparison::tr("paper"), paper) + rowOf(PaperComparison::tr("this run"), own);
   if (!cell.measured.empty()) {
     html += rowOf(PaperComparison::tr("simulated, %n run(s)", "", static_cast<int>(cell.seeds.size())), measured);
   }
-  return html + QStringLiteral("</table><p>%1</p>").arg(QString::fromStdString(study.heading.citation));
+  return html + QStringLiteral("</table><p>%1</p>").arg(escaped(study.heading.citation));
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <map>
+#include <string>
 #include <vector>
 
 #include "engine/study/study.h"

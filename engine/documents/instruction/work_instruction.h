@@ -48,7 +48,7 @@ struct WorkInstruction {
   std::vector<InstructionPanel> panels;
 };
 
-/// What a document says about a product beside its plan.
+/// Title page of an instruction: statements about the product that the plan does not make.
 struct InstructionHeading {
   std::string title;                    ///< name of the product
   std::string imprint{};                ///< see WorkInstruction

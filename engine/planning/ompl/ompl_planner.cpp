@@ -123,18 +123,21 @@ struct OmplPlanner::Engine {
     return state;
   }
 
-  /// Runs one draw, or one for each tree: OMPL's planners with two trees begin every call with the start's tree.
+  /// Runs one draw, or one for each tree: OMPL's planners with two trees begin every call with the start's tree. Throws
+  /// what the problem's source throws.
   ob::PlannerStatus solvePiece() {
     const int rounds = asItIs ? kAsItIsPiece : twoTrees ? 2 : 1;
     int done = 0;
     std::uint64_t seen = world.draws;
     const ob::PlannerTerminationCondition ptc([&] {
-      if (world.stop.stopRequested()) return true;
+      if (world.ends()) return true;
       if (world.draws != seen) ++done;
       seen = world.draws;
       return done >= rounds;
     });
-    return planner->solve(ptc);
+    const ob::PlannerStatus status = planner->solve(ptc);
+    if (world.sourceError) std::rethrow_exception(world.sourceError);
+    return status;
   }
 
   void restart() {

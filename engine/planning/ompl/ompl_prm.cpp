@@ -27,7 +27,7 @@ void OmplPrm::growPiece(const ob::PlannerTerminationCondition& ptc) {
     growDraws_ += world_.draws - before;
   } else {
     int bounces = 0;
-    const ob::PlannerTerminationCondition enough([&] { return world_.stop.stopRequested() || bounces++ >= kBounces; });
+    const ob::PlannerTerminationCondition enough([&] { return world_.ends() || bounces++ >= kBounces; });
     expandRoadmap(enough);
     expandDraws_ += world_.draws - before;
   }

@@ -132,7 +132,7 @@ OmplWorld::OmplWorld(const Problem& problem_, std::uint64_t seed)
 
 Pose OmplWorld::draw() {
   ++draws;
-  if (problem.source && !problem.region) return shooter.shoot();
+  if (problem.source && !problem.region) return drawFromSource();
   Pose q;
   if (problem.region) {
     q.position = problem.region->sample(stream, problem.bounds);
@@ -143,6 +143,15 @@ Pose OmplWorld::draw() {
   }
   q.orientation = RandomShooter::orientation(stream);
   return q;
+}
+
+Pose OmplWorld::drawFromSource() {
+  try {
+    return shooter.shoot();
+  } catch (...) {
+    sourceError = std::current_exception();
+    return problem.start;
+  }
 }
 
 Pose OmplWorld::drawNear(const Pose& near, double distance, bool normal) {

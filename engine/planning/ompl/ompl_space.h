@@ -8,6 +8,7 @@
 #include <ompl/base/StateValidityChecker.h>
 #include <ompl/base/spaces/SE3StateSpace.h>
 
+#include <exception>
 #include <mutex>
 #include <optional>
 
@@ -31,11 +32,17 @@ struct OmplWorld {
   double extensionStep = 0.0;
   double requiredClearance = 0.0;
   StopToken stop;
+  /// Exception of the problem's source. It is kept until OMPL's planner has returned, because an exception that passes
+  /// through OMPL leaks the states that the planner holds.
+  std::exception_ptr sourceError;
   bool certifyEdges = false;  ///< a path has failed its certificate, so that edges are certified from now on
   std::optional<FclSurfaceQuery> surfaces;  ///< used instead of `query` where it is set
   std::uint64_t surfaceQueries = 0;
 
-  /// Draws uniformly in the problem's region, or in its bounds where it has none, and in SO(3); or from its source.
+  /// True if the piece has to end: a stop is requested, or the problem's source has thrown.
+  bool ends() const { return stop.stopRequested() || sourceError != nullptr; }
+  /// Draws uniformly in the problem's region, or in its bounds where it has none, and in SO(3); or from its source. The
+  /// result is the start where the source throws.
   Pose draw();
   /// Draws in the ball of the metric about `near` (uniform, or normal with that deviation), within the bounds. In a
   /// region the draw is repeated until it lies there; after some failures it is a configuration towards one drawn
@@ -47,6 +54,9 @@ struct OmplWorld {
   /// extension step, as with the engine's own planners (tolerance::kGuidedExtensionStep), because OMPL keeps such ends
   /// as nodes, and an edge that touches an obstacle cannot be certified.
   double freeFraction(const Pose& from, const Pose& to);
+
+ private:
+  Pose drawFromSource();
 };
 
 /// Mutex that is locked while OMPL's random number generators are made: their seeds come from one global generator,

@@ -198,7 +198,7 @@ TEST(Sampler, ASamplerFromOutsideDrawsForEveryPlanner) {
     EXPECT_EQ(again.counts.randomConfigurations, run.counts.randomConfigurations) << strategy;
     EXPECT_EQ(again.path->length(), run.path->length()) << strategy;
   }
-  // What is drawn counts: a sampler that turns nothing leads to a path that turns nothing.
+  // The path shows the draws of the sampler: they have no turn, and so has the path.
   const g::Run run = g::plan(windows(), {.strategy = "birrt", .seed = 1, .sampler = nearTheWindow});
   EXPECT_LT(run.path->rotation(), 1e-9);
 }

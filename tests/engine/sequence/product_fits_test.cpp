@@ -10,21 +10,16 @@
 namespace glissade {
 namespace {
 
-RigidBody ring(const std::string& name, double inner, double outer, double length, double z) {
-  RigidBody body = boxBody(name, {1.0, 1.0, 1.0}, Pose::translation({0.0, 0.0, z}));
-  body.mesh = std::make_shared<const TriangleMesh>(test::makeRing(inner, outer, length, 24));
-  return body;
-}
-
 /// A washer and a nut on a bolt with a head, all with the bolt's radius; sizes of M8 in metres.
 AssembledProduct boltAndNut() {
-  RigidBody bolt = ring("bolt", 0.0, 0.004, 0.04, 0.0);
+  RigidBody bolt = test::ringBody("bolt", 0.0, 0.004, 0.04, 0.0);
   TriangleMesh head = transformed(test::makeRing(0.0, 0.008, 0.006, 24), Pose::translation({0.0, 0.0, -0.022}));
   TriangleMesh mesh = *bolt.mesh;
   append(mesh, head);
   bolt.mesh = std::make_shared<const TriangleMesh>(mesh);
-  return test::productOf({bolt, ring("washer", 0.004, 0.009, 0.002, 0.0), ring("nut", 0.004, 0.007, 0.006, 0.004)},
-                         true);
+  return test::productOf(
+      {bolt, test::ringBody("washer", 0.004, 0.009, 0.002, 0.0), test::ringBody("nut", 0.004, 0.007, 0.006, 0.004)},
+      true);
 }
 
 TEST(ProductFits, AreThoseOfEachBodyAlone) {
@@ -71,8 +66,8 @@ TEST(ProductFits, APlanWithFitsIsJudgedValidAndStatesThem) {
 /// A bolt with a wall that is thin compared with the overlap of its thread. The result does not depend on which body
 /// moves.
 TEST(ProductFits, WhereABodyHasNoPlaceForAnAllowanceTheOtherOneIsTakenThinner) {
-  const AssembledProduct product =
-      test::productOf({ring("bolt", 0.0035, 0.004, 0.04, 0.0), ring("nut", 0.0039, 0.008, 0.006, 0.0)}, true);
+  const AssembledProduct product = test::productOf(
+      {test::ringBody("bolt", 0.0035, 0.004, 0.04, 0.0), test::ringBody("nut", 0.0039, 0.008, 0.006, 0.0)}, true);
   const ProductFits fits = test::fitsOf(product);
   ASSERT_EQ(fits.fitsOf(0).size(), 1U);
   ASSERT_EQ(fits.fitsOf(1).size(), 1U);

@@ -2,6 +2,7 @@
 
 #include "engine/sequence/motion_trial.h"
 #include "engine/sequence/sequence_strategy.h"
+#include "tests/engine/fits/ring.h"
 #include "tests/engine/support/test_worlds.h"
 
 namespace glissade::test {
@@ -15,6 +16,14 @@ inline AssembledProduct productOf(std::vector<RigidBody> bodies, bool fits = fal
   for (const RigidBody& body : product.bodies) tree.push_back({body.id, {body.name}});
   product.tree = Product(tree);
   return product;
+}
+
+/// A ring along z at this height; inner radius 0: a cylinder.
+inline RigidBody ringBody(const std::string& name, double inner, double outer, double length, double height,
+                          int segments = 24) {
+  RigidBody body = boxBody(name, {1.0, 1.0, 1.0}, Pose::translation({0.0, 0.0, height}));
+  body.mesh = std::make_shared<const TriangleMesh>(makeRing(inner, outer, length, segments));
+  return body;
 }
 
 /// A box of a body; the boxes of a body overlap.

@@ -3,17 +3,10 @@
 #include "engine/sequence/removal_directions.h"
 #include "engine/sequence/sequence_run.h"
 #include "engine/sequence/step_motion.h"
-#include "tests/engine/fits/ring.h"
 #include "tests/engine/sequence/products.h"
 
 namespace glissade {
 namespace {
-
-RigidBody ringBody(const std::string& name, double inner, double outer, double length, double height) {
-  RigidBody body = boxBody(name, {1.0, 1.0, 1.0}, Pose::translation({0.0, 0.0, height}));
-  body.mesh = std::make_shared<const TriangleMesh>(test::makeRing(inner, outer, length, 48));
-  return body;
-}
 
 TEST(ShortSlides, ABoxIsBesideAnotherUntilItIsPastIt) {
   const Box3 box(Vector3(0.0, 0.0, 0.0), Vector3(0.2, 0.2, 0.1));
@@ -29,8 +22,8 @@ TEST(ShortSlides, ABoxIsBesideAnotherUntilItIsPastIt) {
 
 TEST(ShortSlides, APlugLeavesByTheNearEndOfItsTube) {
   for (const double end : {-1.0, 1.0}) {
-    const AssembledProduct product =
-        test::productOf({ringBody("tube", 0.01, 0.02, 0.3, 0.0), ringBody("plug", 0.0, 0.01, 0.02, 0.14 * end)}, true);
+    const AssembledProduct product = test::productOf(
+        {test::ringBody("tube", 0.01, 0.02, 0.3, 0.0), test::ringBody("plug", 0.0, 0.01, 0.02, 0.14 * end)}, true);
     const ProductFits fits = test::fitsOf(product);
     MotionTrial trial(product, fits, 1);
     const RemovalAnswer answer = trial.tryRemoval({1}, BodySet(2, true), 0, {});
