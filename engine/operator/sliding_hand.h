@@ -25,6 +25,7 @@ class SlidingHand final : public OperatorDevice {
 
   Pose advance(double dt, const OperatorView& view, const Box3& bounds) override;
   void restart() override;
+  void regrip() override { placed_ = false; }
   bool connected() const override { return device_->connected(); }
   bool holds() const override { return device_->holds(); }
   std::optional<Wrench> rendered() const override;

@@ -32,7 +32,9 @@ class Lockstep final : public LockstepSession {
     carryOutCommands();
     if (core_.state() == SessionState::Planning) {
       core_.attempt(GLISSADE_TEXT("planning"), [&] { plan(steps, stop); });
-    } else if (core_.state() != SessionState::Paused) {
+    } else if (core_.state() == SessionState::Paused) {
+      guardHand([this] { hand_.rest(); });
+    } else {
       for (std::uint64_t i = 0; i < steps; ++i) tick();
     }
     if (!core_.publish([this] { publish(); })) publishWithoutMemory();

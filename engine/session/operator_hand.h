@@ -32,6 +32,10 @@ class OperatorHand {
   void put(const Pose& q_device);
   /// Begins a new run: the object is back at the start and the device begins anew.
   void restart();
+  /// The run is paused: what the device does now does not move the object, neither now nor when the run is resumed.
+  void rest() {
+    if (device_) device_->regrip();
+  }
   /// Purpose of advance(), for the diagnostic of an exception that leaves it.
   static constexpr CatalogueText kWork = GLISSADE_TEXT("moving the object with the device");
   /// Releases the object for good because its device has failed, and returns the message for the user.

@@ -28,8 +28,12 @@ enum class SessionState {
 
 /// Requests of the window to the engine, carried out in order.
 namespace command {
-struct Start {};  ///< from Idle, Stopped, Solved, Failed: a fresh roadmap with the current seed
-struct Pause {};
+struct Start {
+  /// In real time, planning begins with the first motion of the hand, unless nobody holds the object or the computer's
+  /// share is all.
+  bool withHand = false;
+};  ///< from Idle, Stopped, Solved, Failed: a fresh roadmap with the current seed
+struct Pause {};  ///< neither the planner nor the object in the operator's hand goes on until Resume
 struct Resume {};
 struct Stop {};
 struct SetSeed {
@@ -88,6 +92,7 @@ struct SessionSnapshot {
   double planningCpuSeconds = 0.0;  ///< processor time of all threads that plan
   Author authority = Author::Computer;
   bool contactMode = false;
+  bool waitsForHand = false;  ///< planning begins with the first motion of the hand
   OperatorSample device;  ///< q_device and its nearest obstacle
   bool deviceConnected = true;
   RoadmapChunks roadmap;

@@ -104,7 +104,7 @@ class Threaded final : public Session {
   void plannerLoop() {
     while (waitForWork()) {
       while (const auto command = nextCommand()) carryOut(*command);
-      if (core_.state() == SessionState::Planning) core_.attempt(GLISSADE_TEXT("planning"), [this] { plan(); });
+      if (mayPlan()) core_.attempt(GLISSADE_TEXT("planning"), [this] { plan(); });
       if (!core_.publish([this] { publishPlanning(); })) publishWithoutMemory();
     }
   }
@@ -112,8 +112,21 @@ class Threaded final : public Session {
   /// Sleeps while there is nothing to do. False: the session ends.
   bool waitForWork() {
     std::unique_lock lock(mutex_);
-    plannerWakes_.wait(lock, [this] { return quit_ || !commands_.empty() || core_.state() == SessionState::Planning; });
+    plannerWakes_.wait(lock, [this] {
+      return quit_ || !commands_.empty() || (core_.state() == SessionState::Planning && !waitsForHand());
+    });
     return !quit_;
+  }
+
+  /// Precondition: mutex_ is locked.
+  bool waitsForHand() const {
+    return withHand_ && core_.state() == SessionState::Planning && core_.steps() == 0 && held_ &&
+           core_.parameters()[ParameterId::Alpha] < 1.0 && !(operatorRun_ == run_ && hasHandMoved_);
+  }
+
+  bool mayPlan() const {
+    const std::lock_guard lock(mutex_);
+    return core_.state() == SessionState::Planning && !waitsForHand();
   }
 
   std::optional<Command> nextCommand() {
@@ -126,6 +139,7 @@ class Threaded final : public Session {
 
   void carryOut(const Command& command) {
     const std::uint64_t runBefore = core_.run();
+    if (const auto* start = std::get_if<command::Start>(&command)) withHand_ = start->withHand;
     core_.attempt(workOf(command), [&] {
       if (std::holds_alternative<command::SmoothPath>(command)) {
         work(command, PathWork::Kind::Smoothing);
@@ -214,6 +228,7 @@ class Threaded final : public Session {
     next.pathWork = work;
     lastPublication_ = Clock::now();
     const std::lock_guard lock(mutex_);
+    next.waitsForHand = waitsForHand();
     chunks_ = next.roadmap;
     planning_ = std::move(next);
     dirty_ = true;
@@ -236,6 +251,7 @@ class Threaded final : public Session {
     std::shared_ptr<const Path> path;
     CoarsePlanPtr coarsePlan;
     bool runEnded = false;
+    bool paused = false;
   };
 
   void operatorLoop() {
@@ -270,7 +286,8 @@ class Threaded final : public Session {
       run = run_;
       restart = run != operatorRun_;
       const bool runEnded = planning_.run > 0 && !isRunning(planning_);
-      sight = {chunks_, planning_.parameters, planning_.path, planning_.coarsePlan, runEnded};
+      sight = {chunks_, planning_.parameters, planning_.path, planning_.coarsePlan, runEnded,
+               planning_.state == SessionState::Paused};
     }
     moveHand(dt, frame, put, restart, sight);
     publishOperator(run);
@@ -295,8 +312,10 @@ class Threaded final : public Session {
     if (restart) {
       tree_.reset();
       hand_.restart();
+      movesAtRestart_ = hand_.sample().moves;
     }
     if (put) hand_.put(*put);
+    if (sight.paused) return hand_.rest();
     if (sight.runEnded && hand_.isSimulated()) return;
     tree_.update(sight.chunks);
     const Se3Metric metric(sight.parameters.objectRadius());
@@ -316,7 +335,9 @@ class Threaded final : public Session {
     operatorSample_ = sample;
     deviceConnected_ = hand_.connected();
     held_ = hand_.held();
-    if (std::exchange(operatorRun_, run) != run) plannerWakes_.notify_all();
+    const bool moved = sample.moves != movesAtRestart_;
+    const bool begins = std::exchange(hasHandMoved_, moved) != moved;
+    if (std::exchange(operatorRun_, run) != run || begins) plannerWakes_.notify_all();
   }
 
   /// Notifies the window. At most one notification is pending and at most one comes in a publishing interval.
@@ -339,6 +360,8 @@ class Threaded final : public Session {
   OperatorHand hand_;                  ///< used by the operator thread
   StartTreeDistance tree_;             ///< used by the operator thread
   OperatorSample operatorSeen_;        ///< used by the planner thread: the operator's sample in this step
+  std::uint64_t movesAtRestart_ = 0;   ///< used by the operator thread: OperatorSample::moves when the run began
+  bool withHand_ = false;              ///< used by the planner thread: see command::Start
   Clock::time_point lastPublication_;  ///< used by the planner thread
   /// Used by the planner thread: time at which the last step was due, if steps have a pace.
   Clock::time_point lastStep_;
@@ -357,6 +380,7 @@ class Threaded final : public Session {
   RoadmapChunks chunks_;           ///< for the operator
   OperatorSample operatorSample_;
   bool held_ = false;
+  bool hasHandMoved_ = false;  ///< since the run operatorRun_ has begun
   bool deviceConnected_ = true;
   std::optional<Diagnostic> operatorTrouble_;
   mutable bool dirty_ = true;

@@ -29,6 +29,12 @@ bool isStuck(const SessionSnapshot& snapshot) {
   return snapshot.run > 0 && !snapshot.path && (isRunning(snapshot) || searchFailed(snapshot));
 }
 
+bool isPaused(const Workbench& bench) { return bench.run.snapshot()->state == SessionState::Paused; }
+
+QString keyOf(const char* action, const Workbench& bench) {
+  return bench.actions[QLatin1String(action)]->shortcut().toString(QKeySequence::NativeText);
+}
+
 }  // namespace
 
 HandHint::HandHint(const Workbench& bench) : bench_(bench), hint_(new SceneHint(bench.scene.widget())) {
@@ -50,10 +56,21 @@ void HandHint::lead(const std::vector<KeyToHold>& keys) {
   write();
 }
 
+void HandHint::stop(const QString& body, const std::vector<const SteeringKey*>& free) {
+  if (body.isEmpty()) {
+    stopped_.clear();
+  } else if (free.empty()) {
+    stopped_ = tr("Touches %1: turn the object, or go back.").arg(body);
+  } else {
+    stopped_ = tr("Touches %1: back off or slide along it. Free: %2").arg(body, textOf(free, isByKeys()));
+  }
+  write();
+}
+
 /// Writes the lines only if they changed; most snapshots change nothing.
 void HandHint::write() {
   QStringList lines;
-  for (const QString& line : {asked_, lead_, toGoal(), keys()}) {
+  for (const QString& line : {state(), asked_, stopped_.isEmpty() ? lead_ : stopped_, toGoal(), keys()}) {
     if (!line.isEmpty()) lines << line;
   }
   const QString text = lines.join(QLatin1Char('\n'));
@@ -69,9 +86,16 @@ bool HandHint::isByHand() const {
          followsHand(snapshot->plannerId);
 }
 
+/// Why the object, or the search, does not go on.
+QString HandHint::state() const {
+  if (!isByHand()) return {};
+  if (isPaused(bench_)) return tr("Paused: press %1 to go on.").arg(keyOf("run.pause", bench_));
+  return bench_.run.snapshot()->waitsForHand ? tr("The run begins when you move the object.") : QString();
+}
+
 /// The move and the turn from the hand to the goal.
 QString HandHint::toGoal() const {
-  if (!isByHand()) return {};
+  if (!isByHand() || isPaused(bench_)) return {};
   const Pose* goal = std::get_if<Pose>(&bench_.document.scenario()->problem.goal);
   if (goal == nullptr) return {};
   const Pose& q = bench_.run.snapshot()->device.q_device;
@@ -84,11 +108,9 @@ bool HandHint::isByKeys() const {
 }
 
 QString HandHint::keys() const {
-  if (!isByHand() || !isByKeys()) return {};
+  if (!isByHand() || !isByKeys() || isPaused(bench_)) return {};
   if (!bench_.actions["layer.keys"]->isChecked()) return {};
-  const auto key = [this](const char* id) {
-    return bench_.actions[QLatin1String(id)]->shortcut().toString(QKeySequence::NativeText);
-  };
+  const auto key = [this](const char* id) { return keyOf(id, bench_); };
   const MotionFrame frame = bench_.session.hand()->keyboard.shaping.get().frame;
   const QString moved =
       bench_.actions["operator.camera"]->isChecked() ? tr("keys move the object again") : tr("keys move the camera");
@@ -102,9 +124,13 @@ AssistController::AssistController(const Workbench& bench) : QObject(&bench.wind
   bench.onAction("assist.go", this, [this] { go(); });
   bench.onAction("assist.show", this, [this] { find(Then::Show); });
   for (const char* id : {"assist.go", "assist.show"}) bench.enable(id, false);
+  clock_.start();
   lead_.setSingleShot(true);
   lead_.setInterval(kHintPeriod);
-  connect(&lead_, &QTimer::timeout, this, &AssistController::lead);
+  connect(&lead_, &QTimer::timeout, this, [this] {
+    lead();
+    noticeStop();
+  });
   connect(&offers_, &BackgroundTask::failed, &bench.work, &WorkController::reportFailure);
   connect(&bench.run, &ShownRun::changed, this, &AssistController::followRun);
   connect(&bench.document, &WorkbenchDocument::changed, this, [this](Changes what) {
@@ -151,6 +177,7 @@ void AssistController::followRun(const SnapshotPtr& snapshot) {
   if (stuck) offerInTime(*snapshot);
   if (bench_.session.clock() == SessionClock::Lockstep) {
     lead();
+    noticeStop();
   } else if (!lead_.isActive()) {
     lead_.start();
   }
@@ -261,15 +288,40 @@ void AssistController::lead() {
     const CollisionWorld& world = *bench_.document.scenario()->problem.world;
     const double radius = world.objectRadius();
     if (!sight_) sight_ = pointWorld(world)->makeQuery();
-    if (!object_) object_ = world.makeQuery();
     if (!guide_) guide_.emplace((*places_)[chosen_].passage, Se3Metric(radius), kAheadOnPassage * radius);
     const Pose& q = bench_.session.snapshot()->device.q_device;
-    ahead = guide_->lead(q, *sight_, *object_);
+    ahead = guide_->lead(q, *sight_, object());
     const DeviceShaping shaping = bench_.session.hand()->keyboard.shaping.get();
     if (ahead) keys = keysToHold(q, *ahead, shaping, bench_.session.operatorFrame(), radius);
   }
   bench_.scene.view().setHelpLead(ahead);
   hint_.lead(keys);
+}
+
+CollisionQuery& AssistController::object() {
+  if (!object_) object_ = bench_.document.scenario()->problem.world->makeQuery();
+  return *object_;
+}
+
+/// Says it when an obstacle stops the object, with the moves that are free. Offscreen each snapshot counts as a second.
+void AssistController::noticeStop() {
+  if (!bench_.run.snapshot()) return;
+  const SessionSnapshot& now = *bench_.run.snapshot();
+  const LoadedScenario& scenario = *bench_.document.scenario();
+  const double radius = scenario.problem.world->objectRadius();
+  const bool isLockstep = bench_.session.clock() == SessionClock::Lockstep;
+  const double time = isLockstep ? 1000.0 * static_cast<double>(now.revision) : static_cast<double>(clock_.elapsed());
+  const OperatorSample& hand = now.device;
+  const bool isLed = bench_.run.isLive() && isPerson(bench_.session.deviceId()) && hand.nearest.body >= 0;
+  if (isLed && stopped_.note(hand, radius, time)) {
+    const DeviceShaping shaping = bench_.session.hand()->keyboard.shaping.get();
+    const RigidBody& body = scenario.obstacles[static_cast<std::size_t>(hand.nearest.body)];
+    hint_.stop(QString::fromStdString(body.shown()),
+               freeMoves(hand.q_device, shaping, bench_.session.operatorFrame(), object(), radius));
+  } else {
+    hint_.stop({}, {});
+    if (isLed && hand.hand && !isLockstep) lead_.start();  // no snapshot comes while the object rests
+  }
 }
 
 QString AssistController::hintText() const {
@@ -288,7 +340,7 @@ QString AssistController::hintText() const {
   } else if (place.lacking) {
     lack = tr("needs up to %1 more room.").arg(lengthText(*place.lacking));
   }
-  const QString key = bench_.actions["assist.go"]->shortcut().toString(QKeySequence::NativeText);
+  const QString key = keyOf("assist.go", bench_);
   QString next = tr("%1 takes your hand there.").arg(key);
   if (taken_) next = (place.lacking ? tr("Lead it along the arrow; %1: next place.") : tr("%1: next place.")).arg(key);
   return which + QLatin1Char(' ') + lack + QLatin1Char(' ') + next;

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QTimer>
 
 #include "engine/collision/collision_query.h"
 #include "engine/operator/hand_guide.h"
 #include "widgets/run/difficulty_panel.h"
 #include "widgets/run/hand_lead.h"
+#include "widgets/run/stopped_object.h"
 #include "widgets/workbench/scene_hint.h"
 #include "widgets/workbench/workbench.h"
 
@@ -22,6 +24,8 @@ class HandHint final : public QObject {
   /// Shows a request to the person, and the next motion of the hand; empty: none.
   void ask(const QString& text);
   void lead(const std::vector<KeyToHold>& keys);
+  /// Says that this body stops the object, and which moves are free; empty: nothing stops it.
+  void stop(const QString& body, const std::vector<const SteeringKey*>& free);
   /// See SceneHint.
   double coveredShare() const { return hint_->coveredShare(); }
 
@@ -29,6 +33,7 @@ class HandHint final : public QObject {
   void write();
   bool isByHand() const;
   bool isByKeys() const;
+  QString state() const;
   QString toGoal() const;
   QString keys() const;
 
@@ -36,6 +41,7 @@ class HandHint final : public QObject {
   SceneHint* hint_;
   QString asked_;
   QString lead_;
+  QString stopped_;
   QString shown_;
 };
 
@@ -70,6 +76,8 @@ class AssistController final : public QObject {
   void look();
   void draw();
   void lead();
+  void noticeStop();
+  CollisionQuery& object();
   QString hintText() const;
   void addCommands();
 
@@ -87,6 +95,8 @@ class AssistController final : public QObject {
   std::uint64_t run_ = 0;   ///< the run that is followed
   bool running_ = false;    ///< a run is under way
   double nextOffer_ = 0.0;  ///< seconds of planning
+  StoppedObject stopped_;
+  QElapsedTimer clock_;
   QTimer lead_;             ///< leads the hand at the next timeout, so that people can read the hint
 };
 

@@ -30,6 +30,19 @@ double roundUp(double value) {
   return 10.0 * decade;
 }
 
+/// The name with places at which a line may break, so that a narrow label shows the whole of it.
+QString breakable(const QString& name) {
+  constexpr int kLongestWord = 12;
+  QString text;
+  int letters = 0;
+  for (const QChar letter : name) {
+    text += letter;
+    letters = letter.isLetterOrNumber() ? letters + 1 : 0;
+    if (letters % kLongestWord == 0) text += QChar(0x200B);  // zero-width space
+  }
+  return text;
+}
+
 QString secondsText(double seconds) { return QLocale().toString(seconds, 'f', 1) + QStringLiteral(" s"); }
 
 }  // namespace
@@ -200,7 +213,7 @@ CountsPanel::CountsPanel(QWidget* parent) : QWidget(parent), layout_(new QFormLa
                                                        "steers; Pace limits them"));
   mode_ = addRow(tr("Contact mode"), tr("On while contact samples are drawn"));
   nearest_ = addRow(tr("Nearest obstacle"), tr("Of the object in the operator's hand"));
-  nearest_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // long names do not widen the panel
+  nearest_->setWordWrap(true);  // long names do not widen the panel
   layout_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   distance_ = addRow(tr("Distance"), tr("To the nearest obstacle"));
 }
@@ -239,9 +252,9 @@ void CountsPanel::setSnapshot(const SessionSnapshot& snapshot, const LoadedScena
   curves_->add(snapshot.run, {seconds, static_cast<double>(counts.nodes), valueInForce(snapshot, ParameterId::Alpha),
                               known ? std::optional<double>(nearest.distance) : std::nullopt});
   mode_->setText(snapshot.contactMode ? tr("on") : tr("off"));
-  nearest_->setText(known ? QString::fromStdString(scenario.obstacles[static_cast<std::size_t>(nearest.body)].shown())
-                          : QStringLiteral("–"));
-  nearest_->setToolTip(known ? nearest_->text() : QString());
+  nearest_->setText(
+      known ? breakable(QString::fromStdString(scenario.obstacles[static_cast<std::size_t>(nearest.body)].shown()))
+            : QStringLiteral("–"));
   shownDistance_ = known ? std::optional<double>(nearest.distance) : std::nullopt;
   showDistance();
   hand_->setVisible(snapshot.hand.has_value());

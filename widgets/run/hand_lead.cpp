@@ -22,14 +22,6 @@ constexpr std::size_t kFirstTurn = 3;  ///< axis
 
 bool isTurn(const SteeringKey& key) { return key.axis >= kFirstTurn; }
 
-/// Velocity of the object while only this key is held.
-Twist twistOf(const SteeringKey& key, const DeviceShaping& shaping, const OperatorFrame& frame) {
-  RawAxes raw{};
-  raw[key.axis] = key.direction;
-  DominantAxis dominant;
-  return toTwist(shape(shaping, raw, dominant), frame);
-}
-
 double along(const Vector3& way, const Vector3& velocity) {
   const double speed = velocity.norm();
   return speed > 0.0 ? way.dot(velocity) / speed : 0.0;
@@ -60,7 +52,21 @@ QString wayText(const KeyToHold& key) {
   return isTurn(*key.key) ? turnText(key.way, 1) : lengthText(withDigits(key.way, 1));
 }
 
+QString keyText(const SteeringKey& key, const QString& motion, bool withLetter) {
+  return withLetter ? QCoreApplication::translate("HandLead", "%1: %2").arg(QLatin1Char(key.letter)).arg(motion)
+                    : motion;
+}
+
+QString joined(const QStringList& keys) { return keys.join(QStringLiteral(" · ")); }
+
 }  // namespace
+
+Twist twistOf(const SteeringKey& key, const DeviceShaping& shaping, const OperatorFrame& frame) {
+  RawAxes raw{};
+  raw[key.axis] = key.direction;
+  DominantAxis dominant;
+  return toTwist(shape(shaping, raw, dominant), frame);
+}
 
 std::vector<KeyToHold> keysToHold(const Pose& from, const Pose& to, const DeviceShaping& shaping,
                                   const OperatorFrame& frame, double objectRadius) {
@@ -89,14 +95,15 @@ QString distanceText(const Pose& from, const Pose& to) {
 QString textOf(const std::vector<KeyToHold>& keys, bool withLetters) {
   QStringList texts;
   for (const KeyToHold& key : keys) {
-    const QString motion = motionText(*key.key) + QLatin1Char(' ') + wayText(key);
-    if (!withLetters) {
-      texts << motion;
-    } else {
-      texts << QCoreApplication::translate("HandLead", "%1: %2").arg(QLatin1Char(key.key->letter)).arg(motion);
-    }
+    texts << keyText(*key.key, motionText(*key.key) + QLatin1Char(' ') + wayText(key), withLetters);
   }
-  return texts.join(QStringLiteral(" · "));
+  return joined(texts);
+}
+
+QString textOf(const std::vector<const SteeringKey*>& keys, bool withLetters) {
+  QStringList texts;
+  for (const SteeringKey* key : keys) texts << keyText(*key, motionText(*key), withLetters);
+  return joined(texts);
 }
 
 }  // namespace glissade

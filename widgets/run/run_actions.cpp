@@ -44,7 +44,8 @@ std::vector<ActionSpec> runActions() {
       {.id = "run.start",
        .text = QT_TRANSLATE_NOOP("Actions", "&Find path"),
        .key = "F5",
-       .tip = QT_TRANSLATE_NOOP("Actions", "Plan with a fresh roadmap and the current seed"),
+       .tip = QT_TRANSLATE_NOOP("Actions", "Plan with a fresh roadmap and the current seed; a run that your hand leads "
+                                          "begins with its first motion"),
        .place = {"menu.plan", 1, 10},
        .help =
            QT_TRANSLATE_NOOP("ActionHelp",
@@ -54,7 +55,7 @@ std::vector<ActionSpec> runActions() {
       {.id = "run.pause",
        .text = QT_TRANSLATE_NOOP("Actions", "Pa&use the run"),
        .key = "F6",
-       .tip = QT_TRANSLATE_NOOP("Actions", "Pause the planner, or resume it"),
+       .tip = QT_TRANSLATE_NOOP("Actions", "Pause the run and the object in your hand, or resume them"),
        .place = {"menu.plan", 1, 20},
        .button = QT_TRANSLATE_NOOP("Actions", "Pause"),
        .synonyms = QT_TRANSLATE_NOOP("Actions", "resume continue"),
@@ -75,7 +76,8 @@ std::vector<ActionSpec> runActions() {
       {.id = "run.restart",
        .text = QT_TRANSLATE_NOOP("Actions", "&Restart the run"),
        .key = "Ctrl+R",
-       .tip = QT_TRANSLATE_NOOP("Actions", "Stop and start again with the same seed"),
+       .tip = QT_TRANSLATE_NOOP("Actions", "Go back to the start pose and find the path again with the same seed; a run "
+                                          "that your hand leads begins with its first motion"),
        .place = {"menu.plan", 1, 40}},
       {.id = "run.restart-new-seed",
        .text = QT_TRANSLATE_NOOP("Actions", "Restart with a &new seed"),

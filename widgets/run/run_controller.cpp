@@ -287,7 +287,7 @@ void RunController::start() {
     if (ledByPerson_) focus = bench_.scene.widget();  // its keys steer the object
     if (focus != nullptr) focus->setFocus();
   }
-  bench_.session.post(command::Start{});
+  bench_.session.post(command::Start{ledByPerson_});
 }
 
 void RunController::stop() {

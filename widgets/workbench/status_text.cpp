@@ -50,6 +50,9 @@ QString statusText(const SessionSnapshot& snapshot) {
       }
       return say(QT_TRANSLATE_NOOP("Status", "Ready. Press Find path (F5), or steer with the keys."));
     case SessionState::Planning:
+      if (snapshot.waitsForHand) {
+        return say(QT_TRANSLATE_NOOP("Status", "At the start: the run begins when you move the object."));
+      }
       if (snapshot.contactMode) {
         return say(QT_TRANSLATE_NOOP("Status", "Planning: sampling on the nearest obstacle's tangent plane"));
       }

@@ -106,6 +106,63 @@ TEST(ThreadedSession, TheFirstStepOfARunSeesTheHandAtTheStart) {
   }
 }
 
+TEST(ThreadedSession, TheObjectRestsWhileTheRunIsPaused) {
+  const auto session = makeThreadedSession(sessionConfig(closedProblem(), std::make_unique<RestlessOperator>()));
+  session->post(command::Start{});
+  ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.device.moves > 3; }));
+  session->post(command::Pause{});
+  ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.state == SessionState::Paused; }));
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));  // the tick that was under way
+  const std::uint64_t moves = session->snapshot()->device.moves;
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  EXPECT_EQ(session->snapshot()->device.moves, moves);
+  session->post(command::Resume{});
+  EXPECT_TRUE(waitFor(*session, [&](const auto& s) { return s.device.moves > moves; }));
+}
+
+/// Rests until it is told to move.
+class PatientDevice final : public OperatorDevice {
+ public:
+  explicit PatientDevice(std::shared_ptr<std::atomic<bool>> moves) : moves_(std::move(moves)) {}
+  Pose advance(double, const OperatorView& view, const Box3&) override {
+    Pose q = view.q_device;
+    if (*moves_) q.position.x() -= 0.01;
+    return q;
+  }
+
+ private:
+  std::shared_ptr<std::atomic<bool>> moves_;
+};
+
+TEST(ThreadedSession, ARunWithAHandBeginsWithItsFirstMotion) {
+  const auto moves = std::make_shared<std::atomic<bool>>(false);
+  const auto session = makeThreadedSession(sessionConfig(closedProblem(), std::make_unique<PatientDevice>(moves)));
+  session->post(command::SetParameter{ParameterId::Alpha, 0.5});
+  session->post(command::Start{true});
+  ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.waitsForHand; }));
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  const SnapshotPtr waiting = session->snapshot();
+  EXPECT_EQ(waiting->state, SessionState::Planning);
+  EXPECT_EQ(waiting->counts.steps, 0U);
+  EXPECT_EQ(waiting->virtualSeconds, 0.0) << "the time of the person begins with their motion";
+  *moves = true;
+  ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.counts.steps > 0; }));
+  EXPECT_FALSE(session->snapshot()->waitsForHand);
+}
+
+TEST(ThreadedSession, NobodyWaitsForAHandThatTheComputerDoesNotNeed) {
+  const auto still = std::make_shared<std::atomic<bool>>(false);
+  const auto session = makeThreadedSession(sessionConfig(closedProblem(), std::make_unique<PatientDevice>(still)));
+  session->post(command::SetParameter{ParameterId::Alpha, 0.5});
+  session->post(command::Start{true});
+  ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.waitsForHand; }));
+  session->post(command::SetParameter{ParameterId::Alpha, 1.0});
+  EXPECT_TRUE(waitFor(*session, [](const auto& s) { return s.counts.steps > 0; })) << "the computer finishes the run";
+  const auto alone = makeThreadedSession(sessionConfig(closedProblem()));
+  alone->post(command::Start{true});
+  EXPECT_TRUE(waitFor(*alone, [](const auto& s) { return s.counts.steps > 0; })) << "nobody holds the object";
+}
+
 class FailingDevice final : public OperatorDevice {
  public:
   Pose advance(double, const OperatorView&, const Box3&) override { throw std::runtime_error("cable out"); }
