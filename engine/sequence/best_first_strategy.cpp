@@ -13,6 +13,7 @@
 #include "engine/sequence/plan_steps.h"
 #include "engine/sequence/removal_directions.h"
 #include "engine/sequence/step_motion.h"
+#include "engine/sequence/step_order.h"
 #include "engine/sequence/step_precedence.h"
 #include "engine/sequence/step_stacks.h"
 #include "engine/sequence/step_tools.h"
@@ -259,81 +260,14 @@ class Reordering {
   std::optional<ToolFacts> tools_;  ///< set if the cost uses the access of tools
 };
 
-/// The bodies that are there after the first n steps of the plan, for each n.
-std::vector<BodySet> presentAfter(const AssemblyPlan& plan, const SequenceQuestion& question) {
-  std::vector<BodySet> present{question.initial()};
-  for (const AssemblyStep& step : plan.steps) {
-    present.push_back(without(present.back(), groupOf(step, question.product)));
-  }
-  return present;
-}
-
-/// True if the proof of the motion covers all present bodies, and the nearest body that it names is one of them.
-bool isStillProved(const StepMotion& motion, const BodySet& proved, const BodySet& present,
-                   const AssembledProduct& product) {
-  for (std::size_t body = 0; body < present.size(); ++body) {
-    if (present[body] && !proved[body]) return false;
-  }
-  return motion.proof.nearest.empty() || present[product.indexOf(motion.proof.nearest)];
-}
-
-/// True if all bodies of the motion end outside of the box of the other bodies of `present`.
-bool endsOutside(const StepMotion& motion, const BodyGroup& group, const BodySet& present,
-                 const AssembledProduct& product) {
-  const Box3 others = boxOf(product, without(present, group));
-  const Pose moved = motion.path.back().q * inverse(motion.path.front().q);
-  return others.isEmpty() || std::none_of(group.begin(), group.end(), [&](std::size_t body) {
-           const RigidBody& own = product.bodies[body];
-           return others.intersects(boundingBox(*own.mesh, moved * own.X_WB));
-         });
-}
-
-/// The steps in another order, each certified against the bodies that are there then; nothing if one is not certified.
-std::optional<std::vector<AssemblyStep>> reordered(const AssemblyPlan& plan, const std::vector<std::size_t>& order,
-                                                   const SequenceQuestion& question, const StopToken& stop) {
-  std::vector<std::size_t> numberOf(order.size());
-  for (std::size_t place = 0; place < order.size(); ++place) numberOf[order[place]] = place + 1;
-  const std::vector<BodySet> before = presentAfter(plan, question);
-  std::vector<AssemblyStep> steps;
-  BodySet present = question.initial();
-  BodyGroup last;
-  std::size_t number = 0;
-  for (const std::size_t step : order) {
-    AssemblyStep next = plan.steps[step];
-    StepMotion& motion = next.only();
-    const BodyGroup group = groupOf(motion, question.product);
-    if (motion.certified && !isStillProved(motion, before[motion.proof.afterSteps], present, question.product)) {
-      const auto removed = question.trial.certified(group, motion.path, motion.method, present, stop);
-      if (!removed) return std::nullopt;
-      motion.proof = makeMotion(group, *removed, question, present, steps.size()).proof;
-    }
-    if (motion.certified && !endsOutside(motion, group, present, question.product)) return std::nullopt;
-    motion.proof.afterSteps = steps.size();
-    next.wave = steps.size() + 1;
-    next.after.clear();
-    for (const std::size_t earlier : plan.steps[step].after) next.after.push_back(numberOf[earlier - 1]);
-    std::sort(next.after.begin(), next.after.end());
-    BodyGroup falling;
-    if (question.standing != nullptr) falling = question.standing->newlyFalling(present, group);
-    motion.falling = idsOf(falling, question.product);
-    number += continuesStack(group, last, question.joints) ? 0 : 1;
-    last = group;
-    if (question.rules.placeOf(group) != 0) {
-      next.violates = violationsOf(group, present, falling, number, question);
-    }
-    present = without(present, group);
-    steps.push_back(std::move(next));
-  }
-  return steps;
-}
-
 /// Carries out the steps in the cheapest order, where each of them is certified in it.
 void putInOrder(AssemblyPlan& plan, const SequenceQuestion& question, const StopToken& stop) {
   const auto usual = StepCost::of(SequenceDemands());
   const StepCost& cost = question.cost != nullptr ? *question.cost : *usual;
   const auto order = Reordering(plan, question, cost, stop).order();
   if (std::is_sorted(order.begin(), order.end())) return;
-  if (auto steps = reordered(plan, order, question, stop)) plan.steps = std::move(*steps);
+  auto steps = inOrder(plan, order, question, stop);
+  if (auto* certified = std::get_if<std::vector<AssemblyStep>>(&steps)) plan.steps = std::move(*certified);
 }
 
 /// The displacements of a motion.

@@ -37,13 +37,23 @@ void makeRoomAt(std::size_t place, std::vector<DemandedPlace>& places) {
   there->place = next;
 }
 
+/// The bodies of each step for which its place is demanded.
+std::vector<BodyNames> placedBodies(const AssemblyPlan& plan) {
+  std::vector<BodyNames> steps;
+  for (const AssemblyStep& step : plan.steps) steps.push_back(textsOf(step.motions.front().bodies()));
+  return steps;
+}
+
 }  // namespace
 
 SequenceDemands withStepMoved(std::size_t from, std::size_t to, const AssemblyPlan& plan, SequenceDemands demands) {
-  std::vector<BodyNames> steps;
-  for (const AssemblyStep& step : plan.steps) steps.push_back(textsOf(step.motions.front().bodies()));
-  demands.places = movedTo(to, from, steps, demands.places);
+  demands.places = movedTo(to, from, placedBodies(plan), demands.places);
   return demands;
+}
+
+std::vector<std::size_t> orderWithStepMoved(std::size_t from, std::size_t to, const AssemblyPlan& plan,
+                                            const SequenceDemands& demands) {
+  return movedOrder(to, from, lockedSteps(placedBodies(plan), demands.places));
 }
 
 SequenceDemands withStepLocked(std::size_t step, bool locked, const AssemblyPlan& plan, SequenceDemands demands) {

@@ -10,6 +10,10 @@ namespace glissade {
 /// Moves the step to the place of `to`: see movedTo().
 SequenceDemands withStepMoved(std::size_t from, std::size_t to, const AssemblyPlan& plan, SequenceDemands demands);
 
+/// The order of the steps after that: see movedOrder().
+std::vector<std::size_t> orderWithStepMoved(std::size_t from, std::size_t to, const AssemblyPlan& plan,
+                                            const SequenceDemands& demands);
+
 /// Locks or unlocks the place and the motions of the step; a motion by hand stays. Another step that is demanded at
 /// this place moves to the next free place.
 SequenceDemands withStepLocked(std::size_t step, bool locked, const AssemblyPlan& plan, SequenceDemands demands);

@@ -34,6 +34,36 @@ bool isForbidden(const Vector3& direction, const std::vector<Vector3>& forbidden
          });
 }
 
+std::vector<std::size_t> movedOrder(std::size_t to, std::size_t from, const std::vector<bool>& isLocked) {
+  // The steps that are not locked, in their new order; each then takes the next place that no locked step has.
+  std::vector<std::size_t> loose;
+  std::size_t before = 0;
+  for (std::size_t step = 0; step < isLocked.size(); ++step) {
+    if (step == from || isLocked[step]) continue;
+    const bool isBefore = to > from ? step <= to : step < to;
+    before += isBefore ? 1 : 0;
+    loose.push_back(step);
+  }
+  loose.insert(loose.begin() + static_cast<std::ptrdiff_t>(before), from);
+  auto next = loose.begin();
+  std::vector<std::size_t> order;
+  for (std::size_t place = 0; place < isLocked.size(); ++place) {
+    order.push_back(isLocked[place] && place != from ? place : *next++);
+  }
+  return order;
+}
+
+std::vector<bool> lockedSteps(const std::vector<std::vector<std::string>>& steps,
+                              const std::vector<DemandedPlace>& places) {
+  std::vector<bool> locked;
+  for (const auto& step : steps) {
+    locked.push_back(std::any_of(places.begin(), places.end(), [&](const DemandedPlace& place) {
+      return place.locked && areSame(step, place.bodies);
+    }));
+  }
+  return locked;
+}
+
 std::vector<DemandedPlace> movedTo(std::size_t to, std::size_t from, const std::vector<std::vector<std::string>>& steps,
                                    const std::vector<DemandedPlace>& places) {
   std::vector<std::optional<DemandedPlace>> demandOf(steps.size());
@@ -47,26 +77,13 @@ std::vector<DemandedPlace> movedTo(std::size_t to, std::size_t from, const std::
       demandOf[static_cast<std::size_t>(step - steps.begin())] = place;
     }
   }
-  const auto isLocked = [&](std::size_t step) { return demandOf[step] && demandOf[step]->locked; };
-  const bool wasLocked = isLocked(from);
-  demandOf[from] = DemandedPlace{steps[from], from + 1, false};
-  // The steps that are not locked, in their new order; each then takes the next place that no locked step has.
-  std::vector<std::size_t> loose;
-  std::size_t before = 0;
-  for (std::size_t step = 0; step < steps.size(); ++step) {
-    if (step == from || isLocked(step)) continue;
-    const bool isBefore = to > from ? step <= to : step < to;
-    before += isBefore ? 1 : 0;
-    loose.push_back(step);
+  const std::vector<bool> locked = lockedSteps(steps, places);
+  demandOf[from] = DemandedPlace{steps[from], from + 1, locked[from]};
+  const std::vector<std::size_t> order = movedOrder(to, from, locked);
+  for (std::size_t place = 0; place < order.size(); ++place) {
+    std::optional<DemandedPlace>& demand = demandOf[order[place]];
+    if (demand && (order[place] == from || !demand->locked)) demand->place = place + 1;
   }
-  loose.insert(loose.begin() + static_cast<std::ptrdiff_t>(before), from);
-  auto next = loose.begin();
-  for (std::size_t place = 0; place < steps.size(); ++place) {
-    if (isLocked(place)) continue;
-    if (demandOf[*next]) demandOf[*next]->place = place + 1;
-    ++next;
-  }
-  demandOf[from]->locked = wasLocked;
   std::vector<DemandedPlace> all;
   std::set<std::size_t> taken;
   for (const auto& demand : demandOf) {

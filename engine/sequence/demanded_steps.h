@@ -40,8 +40,15 @@ struct ForbiddenDirection {
 /// True if the direction, of any length, is within the cone of one of the forbidden unit directions.
 bool isForbidden(const Vector3& direction, const std::vector<Vector3>& forbidden);
 
-/// The places after a person has moved a step as in the edit of a list: locked steps keep their places, the others move
-/// up or down. `steps`: the ids of the bodies of each step of the plan. The step `from` gets the place of `to`, or the
+/// The order after a person has moved the step `from` to the place of `to` as in the edit of a list: locked steps keep
+/// their places, the others move up or down. Indices from 0; `isLocked`: one entry for each step.
+std::vector<std::size_t> movedOrder(std::size_t to, std::size_t from, const std::vector<bool>& isLocked);
+
+/// True for each step that is locked at a place. `steps`: as in movedTo().
+std::vector<bool> lockedSteps(const std::vector<std::vector<std::string>>& steps,
+                              const std::vector<DemandedPlace>& places);
+
+/// The places after a person has moved a step, see movedOrder(). `steps`: the ids of the bodies of each step of the plan. The step `from` gets the place of `to`, or the
 /// next place if a locked step is there. Indices from 0. Returns the moved step and the steps of `places`, ascending by
 /// place.
 std::vector<DemandedPlace> movedTo(std::size_t to, std::size_t from, const std::vector<std::vector<std::string>>& steps,

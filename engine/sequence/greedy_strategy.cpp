@@ -541,8 +541,7 @@ class GreedySearch {
       const Refusal& refusal = refusedThere->second;
       plan_.stuck.push_back({idOf(body),
                              idsOf(refusal.blockedBy),
-                             {GLISSADE_TEXT("it was to be removed as step %1, and no motion was found there"),
-                              {refusal.afterSteps + 1}}});
+                             GLISSADE_TEXT("no motion was found at the place that a constraint gives it")});
       return;
     }
     const std::vector<std::size_t> holding = heldBy(unit, false);

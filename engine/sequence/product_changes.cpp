@@ -8,6 +8,7 @@
 #include "engine/geometry/triangle_tree.h"
 #include "engine/sequence/body_group.h"
 #include "engine/sequence/plan_bodies.h"
+#include "engine/sequence/step_order.h"
 
 namespace glissade {
 namespace {
@@ -208,33 +209,6 @@ class StepCarrier {
   std::map<BodyId, std::size_t> present_;
 };
 
-/// Lengthens the path along its last displacement until it ends outside of the box of the other bodies, which has grown
-/// where parts came.
-void endOutside(StepMotion& motion, const AssembledProduct& product) {
-  if (motion.path.size() < 2) return;
-  const std::vector<std::size_t> group = product.indicesOf(motion.bodies());
-  BodySet others(product.bodies.size(), true);
-  for (const std::size_t body : group) others[body] = false;
-  const Box3 room = boxOf(product, others);
-  const Pose& q = motion.path.back().q;
-  const Pose X_end = q * inverse(motion.path.front().q);
-  Box3 box;
-  for (const std::size_t body : group) {
-    box.extend(boundingBox(*product.bodies[body].mesh, X_end * product.bodies[body].X_WB));
-  }
-  const Vector3 displacement = q.position - motion.path[motion.path.size() - 2].q.position;
-  if (room.isEmpty() || !box.intersects(room) || displacement.isZero()) return;
-  const Vector3 direction = displacement.normalized();
-  double least = std::numeric_limits<double>::infinity();
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    if (direction[i] > 0.0) least = std::min(least, (room.max()[i] - box.min()[i]) / direction[i]);
-    if (direction[i] < 0.0) least = std::min(least, (room.min()[i] - box.max()[i]) / direction[i]);
-  }
-  constexpr double kBeyond = 0.01;  // share of the box, so that rounding does not matter
-  motion.path.push_back(motion.path.back());
-  motion.path.back().q.position += (least + kBeyond * room.diagonal().norm()) * direction;
-}
-
 }  // namespace
 
 AssembledProduct withIdsOf(const AssembledProduct& before, AssembledProduct now) {
@@ -261,7 +235,9 @@ CarriedPlan carriedTo(const AssembledProduct& product, const AssemblyPlan& plan)
   const StepCarrier carrier(product);
   carrier.carry(carried.plan.steps, carried.plan.lines, carried.from);
   for (AssemblyStep& step : carried.plan.steps) {
-    for (StepMotion& motion : step.motions) endOutside(motion, product);
+    for (StepMotion& motion : step.motions) {
+      lengthen(motion, without(BodySet(product.bodies.size(), true), product.indicesOf(motion.bodies())), product);
+    }
   }
   carried.plan.bodies = idsOf(product.bodies);
   carrier.keepPresent(carried.plan.staying);

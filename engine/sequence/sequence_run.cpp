@@ -51,8 +51,8 @@ Outcome checkPlaces(const AssembledProduct& product, const OrderRules& rules, co
       return Diagnostic{ErrorKind::Usage,
                         "",
                         "",
-                        {GLISSADE_TEXT("'%1' is fixed as base, and is constrained to step %2"),
-                         {product.bodies[body].id.text(), step.place}},
+                        {GLISSADE_TEXT("'%1' is fixed as base, and a constraint gives it a place among the steps"),
+                         {product.bodies[body].id.text()}},
                         GLISSADE_TEXT("Fix another body as base, or remove the constraint.")};
     }
   }
@@ -102,19 +102,10 @@ class SavableHost final : public SequenceHost {
   SequenceHost& host_;
 };
 
-}  // namespace
-
-Result<AssemblyPlan> planSequence(const AssembledProduct& product, const ProductFits& fits,
-                                  const SequenceRequest& request, SequenceHost& host) {
-  const SequenceStrategyRegistry registry = makeSequenceStrategyRegistry();
-  const SequenceStrategyEntry* strategy = registry.find(request.strategy);
-  if (strategy == nullptr) {
-    return Diagnostic{ErrorKind::Usage,
-                      "",
-                      "strategy",
-                      {GLISSADE_TEXT("is unknown: %1"), {request.strategy}},
-                      GLISSADE_TEXT("Choose greedy or best-first.")};
-  }
+/// Calls `answer` with the question of the request. `resumed`: see SequenceQuestion::resumed.
+template <class Answer>
+Outcome ask(const AssembledProduct& product, const ProductFits& fits, const SequenceRequest& request,
+            const AssemblyPlan* resumed, SequenceHost& host, const Answer& answer) {
   auto rules = resolved(request.demands, product);
   if (!rules) return rules.error();
   const ProductShapes shapes(product);
@@ -140,36 +131,65 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
   const JointRules* counting = joints.joints().empty() ? nullptr : &joints;
   MotionTrial motions(product, fits, request.seed, MotionTrial::kMostSearches, rules->forbidden, counting, &threads);
   DemandingTrial trial(motions, *rules, product, request.known, counting);
+  answer(SequenceQuestion{product, staying, request.seed, trial, resumed, *rules, fasteners, &standing,
+                          fragileBodies(product, request.demands), *tools, &*cost, counting, {}, &fits, &liaisons,
+                          isolatedBodies(product, liaisons)});
+  return Done{};
+}
+
+/// Adds the request's demands to the plan, with the bends of the joints that it used.
+void addDemands(AssemblyPlan& plan, const SequenceRequest& request, const SequenceQuestion& question) {
+  plan.demands = request.demands;
+  const Joints none;
+  const Joints& joints = question.joints != nullptr ? question.joints->joints() : none;
+  plan.demands.joints = withBends(plan.demands.joints, joints, question.product);
+}
+
+}  // namespace
+
+Result<AssemblyPlan> planSequence(const AssembledProduct& product, const ProductFits& fits,
+                                  const SequenceRequest& request, SequenceHost& host) {
+  const SequenceStrategyRegistry registry = makeSequenceStrategyRegistry();
+  const SequenceStrategyEntry* strategy = registry.find(request.strategy);
+  if (strategy == nullptr) {
+    return Diagnostic{ErrorKind::Usage,
+                      "",
+                      "strategy",
+                      {GLISSADE_TEXT("is unknown: %1"), {request.strategy}},
+                      GLISSADE_TEXT("Choose greedy or best-first.")};
+  }
   std::optional<AssemblyPlan> resumed;
   if (request.resumed != nullptr) resumed = splitStacks(*request.resumed);
-  const SequenceQuestion question{product,
-                                  staying,
-                                  request.seed,
-                                  trial,
-                                  resumed ? &*resumed : nullptr,
-                                  *rules,
-                                  fasteners,
-                                  &standing,
-                                  fragileBodies(product, request.demands),
-                                  *tools,
-                                  &*cost,
-                                  counting,
-                                  {},
-                                  &fits,
-                                  &liaisons,
-                                  isolatedBodies(product, liaisons)};
-  SavableHost savable(request, host);
-  AssemblyPlan plan = strategy->make()->plan(question, savable);
-  // A plan in which every body stays takes nothing apart. The judge does not call it complete.
-  if (plan.parts() == 0 && plan.end == PlanEnd::Complete) plan.end = PlanEnd::Stuck;
-  plan.isolated = idsOf(question.isolated, product);
-  addJoints(plan, question);
-  addLines(plan, question, host);
-  addTools(plan, question, host);
-  if (!host.stopToken().stopRequested()) joinStacks(plan, question, host.stopToken());
-  plan.demands = request.demands;
-  plan.demands.joints = withBends(plan.demands.joints, joints.joints(), product);
+  AssemblyPlan plan;
+  const Outcome asked = ask(product, fits, request, resumed ? &*resumed : nullptr, host, [&](const auto& question) {
+    SavableHost savable(request, host);
+    plan = strategy->make()->plan(question, savable);
+    // A plan in which every body stays takes nothing apart. The judge does not call it complete.
+    if (plan.parts() == 0 && plan.end == PlanEnd::Complete) plan.end = PlanEnd::Stuck;
+    plan.isolated = idsOf(question.isolated, product);
+    addJoints(plan, question);
+    addLines(plan, question, host);
+    addTools(plan, question, host);
+    if (!host.stopToken().stopRequested()) joinStacks(plan, question, host.stopToken());
+    addDemands(plan, request, question);
+  });
+  if (!asked) return asked.error();
   return plan;
+}
+
+Result<std::variant<AssemblyPlan, OrderConflict>> planWithOrder(const AssembledProduct& product,
+                                                                const ProductFits& fits,
+                                                                const SequenceRequest& request,
+                                                                const std::vector<std::size_t>& order,
+                                                                SequenceHost& host) {
+  std::variant<AssemblyPlan, OrderConflict> answer;
+  const Outcome asked = ask(product, fits, request, nullptr, host, [&](const auto& question) {
+    answer = withOrder(*request.resumed, order, question, host);
+    if (auto* plan = std::get_if<AssemblyPlan>(&answer)) addDemands(*plan, request, question);
+  });
+  if (!asked) return asked.error();
+  if (host.stopToken().stopRequested()) return Diagnostic{ErrorKind::Interrupted, "", "", GLISSADE_TEXT("the operation was stopped"), {}};
+  return answer;
 }
 
 }  // namespace glissade

@@ -8,6 +8,7 @@
 #include "engine/sequence/order_rules.h"
 #include "engine/sequence/product_fits.h"
 #include "engine/sequence/sequence_strategy.h"
+#include "engine/sequence/step_order.h"
 
 namespace glissade {
 
@@ -33,5 +34,13 @@ struct SequenceRequest {
 /// joints that do not exist.
 Result<AssemblyPlan> planSequence(const AssembledProduct& product, const ProductFits& fits,
                                   const SequenceRequest& request, SequenceHost& host);
+
+/// The plan with its steps in another order, see withOrder(). `request.resumed`: the plan; `request.demands`: those
+/// with the new places. Errors as planSequence(), and Interrupted after a stop.
+Result<std::variant<AssemblyPlan, OrderConflict>> planWithOrder(const AssembledProduct& product,
+                                                                const ProductFits& fits,
+                                                                const SequenceRequest& request,
+                                                                const std::vector<std::size_t>& order,
+                                                                SequenceHost& host);
 
 }  // namespace glissade

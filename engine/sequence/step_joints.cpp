@@ -60,6 +60,10 @@ std::vector<StepJoint> jointsOf(const StepMotion& motion, const BodyGroup& group
 
 }  // namespace
 
+void setJoints(StepMotion& motion, const BodyGroup& group, const BodySet& present, const SequenceQuestion& question) {
+  if (question.joints != nullptr) motion.joints = jointsOf(motion, group, present, question);
+}
+
 double turnsOf(const std::vector<PathPoint>& path) {
   double angle = 0.0;
   for (std::size_t i = 1; i < path.size(); ++i) angle += angleBetween(path[i - 1].q.orientation, path[i].q.orientation);
@@ -72,8 +76,7 @@ void addJoints(AssemblyPlan& plan, const SequenceQuestion& question) {
   std::map<std::size_t, std::vector<std::size_t>> tasks;  // indices of the steps of each task
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     const BodyGroup group = groupOf(plan.steps[i], question.product);
-    StepMotion& motion = plan.steps[i].only();
-    motion.joints = jointsOf(motion, group, present, question);
+    setJoints(plan.steps[i].only(), group, present, question);
     plan.steps[i].task = 0;
     if (group.size() == 1) tasks[question.joints->taskOf(group.front())].push_back(i);
     present = without(std::move(present), group);

@@ -4,6 +4,10 @@
 
 namespace glissade {
 
+/// Sets the joints that come apart when the group leaves `present` by the motion. Does nothing if the question has no
+/// joints.
+void setJoints(StepMotion& motion, const BodyGroup& group, const BodySet& present, const SequenceQuestion& question);
+
 /// Adds to each step of the plan the joints that come apart by it, its turns and its task. Does nothing if the question
 /// has no joints.
 void addJoints(AssemblyPlan& plan, const SequenceQuestion& question);

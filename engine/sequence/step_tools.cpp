@@ -182,18 +182,22 @@ void addHeldSide(StepMotion& motion, const SequenceQuestion& question) {
 
 }  // namespace
 
+void setTool(StepMotion& motion, ToolFacts& facts, std::size_t step, const BodySet& there,
+             const SequenceQuestion& question, const StopToken& stop) {
+  if (question.tools.empty() || !turnsHead(motion.tool.kind)) return;
+  if (auto tool = facts.toolOf(step, there, stop)) motion.tool = std::move(*tool);
+  addHeldSide(motion, question);
+}
+
 void addTools(AssemblyPlan& plan, const SequenceQuestion& question, SequenceHost& host) {
   if (question.tools.empty()) return;
   ToolFacts facts(plan, question);
   std::vector<BodyGroup> groups;
   for (const AssemblyStep& step : plan.steps) groups.push_back(groupOf(step, question.product));
   host.team().run(plan.steps.size(), [&](std::size_t i) {
-    StepTool& own = plan.steps[i].only().tool;
-    if (!turnsHead(own.kind)) return;
     BodySet there = question.initial();
     for (std::size_t earlier = 0; earlier <= i; ++earlier) there = without(std::move(there), groups[earlier]);
-    if (auto tool = facts.toolOf(i, there, host.stopToken())) own = std::move(*tool);
-    addHeldSide(plan.steps[i].only(), question);
+    setTool(plan.steps[i].only(), facts, i, there, question, host.stopToken());
   });
 }
 

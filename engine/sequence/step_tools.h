@@ -40,6 +40,11 @@ class ToolFacts {
   std::vector<Step> steps_;
 };
 
+/// Sets the tool of the motion, which is step `step` of the facts, and what is held meanwhile; `there`: the bodies that
+/// are there without its own. Nothing changes if no tool turns a head.
+void setTool(StepMotion& motion, ToolFacts& facts, std::size_t step, const BodySet& there,
+             const SequenceQuestion& question, const StopToken& stop);
+
 /// Finds for each step of a fastener whether a tool has access at its beginning, while the bodies that earlier steps
 /// have left are there: see ToolFacts::toolOf().
 void addTools(AssemblyPlan& plan, const SequenceQuestion& question, SequenceHost& host);

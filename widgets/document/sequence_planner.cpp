@@ -125,6 +125,32 @@ Result<GrownPlan> planOf(const SequenceJob& job, ProductFinder& finder, const Wo
   return host.ended(std::move(*plan));
 }
 
+/// Says nothing while steps change their order.
+class SilentHost final : public SequenceHost {
+ public:
+  SilentHost(StopToken stop, ThreadTeam& team) : stop_(std::move(stop)), team_(team) {}
+  const StopToken& stopToken() const override { return stop_; }
+  ThreadTeam& team() override { return team_; }
+  void asking(const std::vector<BodyGroup>& /*groups*/, int /*effort*/) override {}
+  void stepFound(const AssemblyPlan& /*plan*/) override {}
+
+ private:
+  StopToken stop_;
+  ThreadTeam& team_;
+};
+
+Result<std::variant<AssemblyPlan, OrderConflict>> orderOf(const OrderJob& order, ProductFinder& finder,
+                                                          const StopToken& stop) {
+  const SequenceJob& job = order.job;
+  ThreadTeam team(helpers());
+  const auto found = finder.findings(*job.product, job.classes, job.demands, team, WorkWatch(stop));
+  if (!found) return found.error();
+  SilentHost host(stop, team);
+  SequenceRequest request{job.staying, job.strategy, job.seed, job.demands, job.resumed.get()};
+  request.joints = &found->joints;
+  return planWithOrder(*job.product, found->fits, request, order.order, host);
+}
+
 }  // namespace
 
 SequencePlanner::SequencePlanner(std::shared_ptr<ProductFinder> finder, QObject* parent)
@@ -163,6 +189,29 @@ void SequencePlanner::plan(const SequenceJob& job, bool atOnce) {
             emit planned(**found);
           } else if (found->error().kind != ErrorKind::Interrupted) {
             emit failed(found->error());
+          }
+        };
+      },
+      atOnce);
+}
+
+void SequencePlanner::reorder(const OrderJob& job, bool atOnce) {
+  drop();
+  stop_ = StopSource();
+  planning_ = true;
+  task_.start(
+      GLISSADE_TEXT("changing the order of the steps"),
+      [this, job, finder = finder_, stop = stop_.token()](const WorkWatch&) -> BackgroundTask::Delivery {
+        const auto found = std::make_shared<Result<std::variant<AssemblyPlan, OrderConflict>>>(
+            orderOf(job, *finder, stop));
+        return [this, found] {
+          planning_ = false;
+          if (!*found) {
+            if (found->error().kind != ErrorKind::Interrupted) emit failed(found->error());
+          } else if (const auto* conflict = std::get_if<OrderConflict>(&**found)) {
+            emit orderRefused(*conflict);
+          } else {
+            emit reordered(std::make_shared<const AssemblyPlan>(std::get<AssemblyPlan>(std::move(**found))));
           }
         };
       },

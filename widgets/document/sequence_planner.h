@@ -43,6 +43,12 @@ struct GrownPlan {
   std::vector<HeldByBase> held{};  ///< why bodies stay with the base
 };
 
+/// Another order of the steps of a plan.
+struct OrderJob {
+  SequenceJob job;                 ///< `resumed`: the plan; `demands`: those with the new places
+  std::vector<std::size_t> order;  ///< indices of the plan's steps
+};
+
 /// Verdict of the independent check on the plan; `said` are a person's statements about the product.
 PlanCheck checkOf(const AssemblyPlan& plan, const AssembledProduct& product, const SequenceDemands& said,
                   const WorkWatch& watch);
@@ -58,6 +64,8 @@ class SequencePlanner final : public QObject {
 
   /// `atOnce`: planning ends before this function returns.
   void plan(const SequenceJob& job, bool atOnce);
+  /// Puts the steps into another order without a search, see planWithOrder().
+  void reorder(const OrderJob& job, bool atOnce);
   /// Judges the plan by the independent check. `said`: a person's statements about the product; other statements of the
   /// plan become conditions of the verdict.
   void judge(const ProductPtr& product, const PlanPtr& plan, const SequenceDemands& said, bool atOnce);
@@ -74,6 +82,8 @@ class SequencePlanner final : public QObject {
   void tried(const std::vector<glissade::BodyId>& bodies);
   /// Planning ended: the plan is complete, stuck or stopped.
   void planned(const glissade::GrownPlan& plan);
+  void reordered(const glissade::PlanPtr& plan);
+  void orderRefused(const glissade::OrderConflict& why);
   void judged(const glissade::PlanPtr& plan, const glissade::PlanCheck& check);
   void failed(const glissade::Diagnostic& why);
 

@@ -54,6 +54,17 @@ AssemblyPlan emptyPlan(const AssembledProduct& product, const BodySet& staying) 
   return plan;
 }
 
+/// Makes the job one that goes on from the shown plan.
+void goOnWith(const ShownPlan& shown, SequenceJob& job) {
+  job.product = shown.product;
+  job.resumed = shown.plan;
+  job.seed = shown.plan->seed;
+  job.strategy = shown.plan->strategy;
+  job.demands = shown.plan->demands;
+  std::fill(job.staying.begin(), job.staying.end(), false);
+  for (const std::size_t body : shown.product->indicesOf(shown.plan->staying)) job.staying[body] = true;
+}
+
 }  // namespace
 
 SequenceController::SequenceController(const Workbench& bench)
@@ -71,6 +82,8 @@ SequenceController::SequenceController(const Workbench& bench)
   connect(&planner_, &SequencePlanner::tried, panel_, &SequencePanel::setTried);
   connect(&planner_, &SequencePlanner::judged, this,
           [this](const PlanPtr& plan, const PlanCheck& check) { note(plan, check, shown().access); });
+  connect(&planner_, &SequencePlanner::reordered, this, &SequenceController::takeMoved);
+  connect(&planner_, &SequencePlanner::orderRefused, this, &SequenceController::refuseMove);
   connect(&planner_, &SequencePlanner::failed, &bench.work, &WorkController::reportFailure);
   connect(&planner_.task(), &BackgroundTask::started, this, &SequenceController::enableActions);
   connect(&planner_.task(), &BackgroundTask::ended, this, &SequenceController::enableActions);
@@ -142,42 +155,81 @@ PlanPtr SequenceController::earlierPlan() const {
   return shown().growing && shown().before ? shown().before : shown().plan;
 }
 
-void SequenceController::startPlanning(bool resume, std::optional<std::size_t> mostSteps) {
-  settling_.stop();
-  const bool goesOn = resume && shown().plan && shown().product;
+std::optional<SequenceJob> SequenceController::jobWith(const SequenceDemands& demands) {
   SequenceJob job;
-  job.product = goesOn ? shown().product : presentProduct();
-  const auto demands = knownDemands(bench_.document.current(), *job.product);
-  if (!demands) {
-    bench_.messages.showError(tr("The sequence cannot be planned"), demands.error());
-    return;
-  }
-  job.demands = *demands;
-  const auto staying = stayingBodies(*job.product, job.demands.stay);
+  job.product = presentProduct();
+  Scenario scenario = bench_.document.current();
+  scenario.sequence = demands;
+  const auto known = knownDemands(scenario, *job.product);
+  const auto staying = known ? stayingBodies(*job.product, known->stay) : Result<BodySet>(known.error());
   if (!staying) {
     bench_.messages.showError(tr("The sequence cannot be planned"), staying.error());
-    return;
+    return std::nullopt;
   }
+  job.demands = *known;
   job.staying = *staying;
   job.classes = classesOf(*bench_.document.edits(), job.product->bodies);
   job.seed = bench_.document.settings().seed;
-  job.mostSteps = mostSteps;
   job.strategy = kUsualStrategy;
-  if (goesOn) {
-    job.resumed = shown().plan;
-    job.seed = job.resumed->seed;
-    job.strategy = job.resumed->strategy;
-    job.demands = job.resumed->demands;
-    std::fill(job.staying.begin(), job.staying.end(), false);
-    for (const std::size_t body : job.product->indicesOf(job.resumed->staying)) job.staying[body] = true;
+  return job;
+}
+
+void SequenceController::startPlanning(bool resume, std::optional<std::size_t> mostSteps) {
+  settling_.stop();
+  auto job = jobWith(bench_.document.demands());
+  if (!job) return;
+  job->mostSteps = mostSteps;
+  if (resume && shown().plan && shown().product) {
+    goOnWith(shown(), *job);
   } else {
-    const PlanPtr earlier = shown().product == job.product ? earlierPlan() : nullptr;
-    if (earlier && !earlier->steps.empty()) job.known = earlier;
-    const auto empty = std::make_shared<const AssemblyPlan>(emptyPlan(*job.product, job.staying));
-    setPlan({job.product, empty, true, {}, {}, {}, earlier});
+    const PlanPtr earlier = shown().product == job->product ? earlierPlan() : nullptr;
+    if (earlier && !earlier->steps.empty()) job->known = earlier;
+    const auto empty = std::make_shared<const AssemblyPlan>(emptyPlan(*job->product, job->staying));
+    setPlan({job->product, empty, true, {}, {}, {}, earlier});
   }
-  planner_.plan(job, bench_.work.isAtOnce());
+  planner_.plan(*job, bench_.work.isAtOnce());
   enableActions();
+}
+
+void SequenceController::moveStep(StepMove move) {
+  auto job = jobWith(move.demands);
+  if (!job) return;
+  const SequenceDemands demands = job->demands;
+  goOnWith(shown(), *job);
+  job->demands = demands;
+  move_ = std::move(move);
+  planner_.reorder({*job, move_.order}, bench_.work.isAtOnce());
+  enableActions();
+}
+
+/// The document has the demands of the new order, and the plan is known for them: nothing is planned.
+void SequenceController::takeMoved(const PlanPtr& plan) {
+  const ShownPlan& before = shown();
+  const ShownPlan moved{before.product, plan, false, before.foundAfter, {}, {}, nullptr, before.held};
+  {
+    const QScopedValueRollback<bool> adopting(adopting_, true);
+    bench_.document.setDemands(move_.text, move_.demands);
+  }
+  keepPlan(moved);
+  remember();
+  panel_->chooseBody(move_.body);
+  planner_.judge(moved.product, plan, statedDemands(*moved.product), bench_.work.isAtOnce());
+}
+
+void SequenceController::refuseMove(const OrderConflict& why) {
+  const std::size_t steps = shown().plan->steps.size();
+  const bool assembly = panel_->order() == PlanOrder::Assembly;
+  const auto number = [&](std::size_t step) { return assembly ? steps - step : step + 1; };
+  QString reason = engineText(why.reason);
+  if (why.first != why.then) {
+    const auto [earlier, later] = assembly ? std::pair(why.then, why.first) : std::pair(why.first, why.then);
+    reason = tr("Step %1 has to come after step %2: %3").arg(number(later)).arg(number(earlier)).arg(reason);
+  }
+  const QString text = tr("%1. The order is as before.").arg(reason);
+  if (bench_.messages.isWanted(tr("The step cannot be moved there"), text, tr("&Search other motions"))) {
+    chosenLater_ = move_.body;
+    bench_.document.setDemands(move_.text, move_.demands);
+  }
 }
 
 void SequenceController::takeGrown(const GrownPlan& grown, bool growing) {

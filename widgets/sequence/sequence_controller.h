@@ -35,6 +35,16 @@ class SequenceController final : public QObject {
   WorkTimesStore& workTimes() { return workTimes_; }
   /// Plans from the start, or resumes. `mostSteps`: the number of steps after which planning stops.
   void plan(bool resume, std::optional<std::size_t> mostSteps = std::nullopt);
+  /// A step that a person moves: the demands with its new place, the order of the steps, and the text of the edit.
+  struct StepMove {
+    QString text;
+    SequenceDemands demands;
+    std::vector<std::size_t> order;
+    BodyId body;  ///< a body of the step
+  };
+  /// Puts the steps into the order if their motions are free in it; else it names the steps that keep their order, and
+  /// nothing changes unless the person has the other steps planned anew.
+  void moveStep(StepMove move);
   /// Whether a person may change the shown steps.
   bool isEditable() const;
   /// Shows the plan of the present scenario and demands if it is known.
@@ -90,6 +100,10 @@ class SequenceController final : public QObject {
   PlanPtr earlierPlan() const;
   /// Plans as plan(), but does not raise the panel.
   void startPlanning(bool resume, std::optional<std::size_t> mostSteps);
+  /// A job for the shown product with these demands; says why there is none.
+  std::optional<SequenceJob> jobWith(const SequenceDemands& demands);
+  void takeMoved(const PlanPtr& plan);
+  void refuseMove(const OrderConflict& why);
   void takeGrown(const GrownPlan& grown, bool growing);
   void setPlan(const ShownPlan& shown);
   /// Shows the plan and gives it to the document, which saves it with the scenario.
@@ -118,6 +132,7 @@ class SequenceController final : public QObject {
   InstructionController* instructions_;
   FilmJob film_;
   std::vector<ShownPlan> memory_;  ///< the last plans of this scenario, for undo
+  StepMove move_;                  ///< the step that is moved now, or was moved last
   BodyId chosenLater_;             ///< empty: the chosen row stays
   QTimer settling_;                ///< runs after edits that others may follow; planning begins at its end
   bool adopting_ = false;

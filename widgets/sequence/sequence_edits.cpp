@@ -149,10 +149,17 @@ void SequenceEdits::move(std::size_t from, std::size_t to) {
   if (!sequence_.isEditable()) return;
   const ShownPlan& shown = sequence_.shown();
   const QString name = joinedNames(shown.plan->steps[from].bodies(), *shown.product);
-  const bool assembly = sequence_.panel()->order() == PlanOrder::Assembly;
-  const std::size_t row = assembly ? shown.plan->steps.size() - to : to + 1;
-  sequence_.chooseLater(shown.plan->steps[from].motions.front().body);
-  set(tr("%1 as step %2").arg(name).arg(row), withStepMoved(from, to, *shown.plan, bench_.document.demands()));
+  const SequenceDemands& demands = bench_.document.demands();
+  sequence_.moveStep({tr("%1 as step %2").arg(name).arg(rowOf(to + 1)), withStepMoved(from, to, *shown.plan, demands),
+                      orderWithStepMoved(from, to, *shown.plan, demands),
+                      shown.plan->steps[from].motions.front().body});
+}
+
+/// The number in the table of the step with this place of removal.
+std::size_t SequenceEdits::rowOf(std::size_t place) const {
+  const std::size_t steps = sequence_.shown().plan->steps.size();
+  const bool assembly = sequence_.panel()->order() == PlanOrder::Assembly && place <= steps;
+  return assembly ? steps + 1 - place : place;
 }
 
 void SequenceEdits::moveBy(int rows) {
@@ -224,9 +231,9 @@ void SequenceEdits::fillDemandsMenu() {
   };
   for (const DemandedPlace& each : demands.places) {
     const QString names = joinedNames(each.bodies, product);
-    add((each.locked ? tr("%1 is locked as step %2 of removal") : tr("%1 is removed as step %2"))
+    add((each.locked ? tr("%1 is locked as step %2") : tr("%1 is placed as step %2"))
             .arg(names)
-            .arg(each.place),
+            .arg(rowOf(each.place)),
         removal(&SequenceDemands::places, each));
   }
   for (const DemandedMotion& each : demands.motions) {

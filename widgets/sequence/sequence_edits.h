@@ -28,6 +28,7 @@ class SequenceEdits final : public QObject {
   void addScriptCommands();
   void move(std::size_t from, std::size_t to);
   void moveBy(int rows);
+  std::size_t rowOf(std::size_t place) const;
   void lock(bool locked);
   void forbid(const Vector3& direction);
   void forbidWay();

@@ -63,6 +63,16 @@ bool Messages::isNewDemandPreferred(const QString& title, const Diagnostic& conf
   return box.clickedButton() == newer;
 }
 
+bool Messages::isWanted(const QString& title, const QString& text, const QString& accept) {
+  log_.add(LogLevel::Information, title + QStringLiteral(": ") + text);
+  if (quiet_) return false;
+  PlainMessageBox box(QMessageBox::Information, title, title, text, &window_);
+  const QPushButton* wanted = box.addButton(accept, QMessageBox::AcceptRole);
+  box.setDefaultButton(box.addButton(QMessageBox::Close));
+  box.exec();
+  return box.clickedButton() == wanted;
+}
+
 void Messages::showStatus(const QString& text) {
   log_.add(LogLevel::Information, text);
   window_.statusBar()->showMessage(text, shownAtLeast_);

@@ -24,6 +24,9 @@ class Messages final : public QObject {
   /// Asks which of two contradictory demands stays, and returns whether it is the new one. In quiet mode it reports an
   /// error, and nothing changes.
   bool isNewDemandPreferred(const QString& title, const Diagnostic& conflict);
+  /// Says why something is not done, and offers to do `accept` instead; returns whether the person wants it. In quiet
+  /// mode nobody does.
+  bool isWanted(const QString& title, const QString& text, const QString& accept);
   void showStatus(const QString& text);
   /// Shows the text until a click or a key after its least time, so that a person who was away can read it.
   void showUntilAction(const QString& text);

@@ -209,7 +209,7 @@ TEST(DemandedSteps, WhatCannotBeProvedAtItsPlaceIsStuckWithItsBlockers) {
   ASSERT_EQ(plan.stuck.size(), 2U);
   const auto& pin = plan.stuck[0].body == "pin" ? plan.stuck[0] : plan.stuck[1];
   EXPECT_EQ(pin.body, "pin");
-  EXPECT_EQ(toString(pin.reason), "it was to be removed as step 1, and no motion was found there");
+  EXPECT_EQ(toString(pin.reason), "no motion was found at the place that a constraint gives it");
   EXPECT_NE(std::find(pin.blockedBy.begin(), pin.blockedBy.end(), "cap"), pin.blockedBy.end()) << "it has left since";
 }
 

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "engine/sequence/sequence_strategy.h"
+
+namespace glissade {
+
+// Steps of a plan in another order, with the motions that they have. An order lists the indices of the steps.
+
+/// True if the motion ends outside of the box of the bodies of `others`, as every removal does.
+bool endsOutside(const StepMotion& motion, const BodySet& others, const AssembledProduct& product);
+/// Lengthens the path along its last displacement until it ends outside of the box of `others`. True if it has changed.
+bool lengthen(StepMotion& motion, const BodySet& others, const AssembledProduct& product);
+
+/// The steps in this order, each certified against the bodies that are there then, or the index of the first step that
+/// is not certified there.
+std::variant<std::vector<AssemblyStep>, std::size_t> inOrder(const AssemblyPlan& plan,
+                                                             const std::vector<std::size_t>& order,
+                                                             const SequenceQuestion& question, const StopToken& stop);
+
+/// Two steps of a plan that cannot change their order.
+struct OrderConflict {
+  std::size_t first = 0;  ///< index of the step that has to be carried out before `then`; `then`: no other step
+  std::size_t then = 0;
+  Message reason{};  ///< names the bodies
+};
+
+/// The finished plan with its steps in another order, without a search: every motion is as before, or longer. Tools,
+/// joints and falling bodies are those of the new order.
+std::variant<AssemblyPlan, OrderConflict> withOrder(AssemblyPlan plan, const std::vector<std::size_t>& order,
+                                                    const SequenceQuestion& question, SequenceHost& host);
+
+}  // namespace glissade
