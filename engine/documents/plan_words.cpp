@@ -103,6 +103,8 @@ std::string PlanWords::nameOf(ToolKind kind) const {
   return kind == ToolKind::None ? std::string() : words_(kTools[static_cast<std::size_t>(kind)]);
 }
 
+std::string PlanWords::turns(double turns) const { return decimals(turns, 1, words_.language()); }
+
 std::string PlanWords::toolName(const StepMotion& motion) const {
   if (motion.tool.kind == ToolKind::None) return {};
   const std::string name = nameOf(motion.tool.kind);
@@ -196,7 +198,7 @@ std::string PlanWords::joint(const StepJoint& joint, const StepMotion& motion, c
   const std::vector<BodyId> bodies = motion.bodies();
   const bool isOwn = std::find(bodies.begin(), bodies.end(), joint.body) != bodies.end();
   const std::string what = isOwn ? fastenerText(joint, product) : shownNameOf(joint.body, product);
-  const std::string turns = decimals(joint.turns, 1, words_.language());
+  const std::string turns = this->turns(joint.turns);
   switch (joint.kind) {
     case JointKind::Screw:
     case JointKind::Nut: {
@@ -238,7 +240,7 @@ std::string PlanWords::joint(const StepJoint& joint, const StepMotion& motion, c
 /// Describes a screw motion; its turns are one leg.
 std::string PlanWords::turnedPath(const StepMotion& motion, PlanOrder order) const {
   const MotionLeg last = legsOf(motion.path).back();
-  const std::string turns = decimals(motion.joints.front().turns, 1, words_.language());
+  const std::string turns = this->turns(motion.joints.front().turns);
   const bool removal = order == PlanOrder::Removal;
   const Vector3 way = removal ? last.direction : Vector3(-last.direction);
   const std::string straight = direction(way) + ", " + length_(last.length);

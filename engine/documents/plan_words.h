@@ -32,6 +32,8 @@ class PlanWords {
 
   const DocumentWords& words() const { return words_; }
   std::string length(double metres) const { return length_(metres); }
+  /// A number of turns, with one decimal.
+  std::string turns(double turns) const;
   /// A direction: "up (+Z)", "(0.50, 0.00, 0.87)".
   std::string direction(const Vector3& direction) const;
   /// The bodies that stay.

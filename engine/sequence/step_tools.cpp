@@ -174,7 +174,9 @@ void addHeldSide(StepMotion& motion, const SequenceQuestion& question) {
       motion.tool.held = other;
       const std::vector<ToolUse>& uses = question.tools[side];
       const bool isForHead = !uses.empty() && uses.front().turned == side;
-      motion.tool.heldWith = isForHead ? uses.front().kind : ToolKind::None;
+      // The head of an equal part fits the same tool.
+      const bool isEqual = question.product.bodies[side].mesh == question.product.body(motion.body).mesh;
+      motion.tool.heldWith = !isForHead ? ToolKind::None : isEqual ? motion.tool.kind : uses.front().kind;
       return;
     }
   }

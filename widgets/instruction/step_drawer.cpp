@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <vector>
 
 #include "engine/sequence/assembly_plan.h"
@@ -100,7 +99,7 @@ constexpr double kApartOfPartNear = 0.6;  // the share in a close-up
 constexpr double kLeastMagnification = 1.6;
 constexpr double kInsetShare = 0.46;   // share of the picture's shorter side
 constexpr double kMostCovered = 0.02;  // share of a corner that a close-up may hide
-constexpr double kMostlySeen = 0.5;    // share of the coming parts
+constexpr double kMostlySeen = 0.5;    // share of the parts of a motion
 constexpr double kCloseMargin = 1.5;   // size of the close-up, in sizes of the first step's parts
 
 QRectF shrunk(const QRectF& rect, double by) { return rect.adjusted(by, by, -by, -by); }
@@ -271,33 +270,37 @@ class PanelPicture {
     return picture;
   }
 
-  /// If the greater part of the coming parts is hidden by other parts, they show through these.
+  /// The parts of a motion that are hidden for the greater part show through what is before them: a nut behind a plate
+  /// that comes with it, too.
   void showHidden(const Scene& scene, const Projection& view, QImage& picture) const {
-    if (panel_.steps.empty()) return;
-    std::vector<DrawnBody> coming;
-    std::copy_if(scene.bodies.begin(), scene.bodies.end(), std::back_inserter(coming),
-                 [](const DrawnBody& body) { return body.strong; });
-    const QImage alone = lineDrawing(coming, view, picture.size());
-    std::size_t drawn = 0;
-    std::size_t seen = 0;
-    const auto visit = [&](const auto& take) {
-      for (int y = 0; y < picture.height(); ++y) {
-        for (int x = 0; x < picture.width(); ++x) {
-          if (const QRgb pixel = alone.pixel(x, y); pixel != qRgb(255, 255, 255)) take(x, y, pixel);
-        }
+    const QImage opaque = picture;
+    for (const StepMotionPicture& motion : scene.motions) {
+      std::vector<DrawnBody> coming;
+      for (const BodyId& id : motion.bodies) {
+        coming.push_back({body(id).mesh, motion.moved * body(id).X_WB, kComingFill, kComingLine, true});
       }
-    };
-    visit([&](int x, int y, QRgb pixel) {
-      ++drawn;
-      if (picture.pixel(x, y) == pixel) ++seen;
-    });
-    if (static_cast<double>(seen) >= kMostlySeen * static_cast<double>(drawn)) return;
-    visit([&](int x, int y, QRgb pixel) {
-      const QRgb there = picture.pixel(x, y);
-      picture.setPixel(x, y,
-                       qRgb((qRed(there) + qRed(pixel)) / 2, (qGreen(there) + qGreen(pixel)) / 2,
-                            (qBlue(there) + qBlue(pixel)) / 2));
-    });
+      const QImage alone = lineDrawing(coming, view, picture.size());
+      std::size_t drawn = 0;
+      std::size_t seen = 0;
+      const auto visit = [&](const auto& take) {
+        for (int y = 0; y < picture.height(); ++y) {
+          for (int x = 0; x < picture.width(); ++x) {
+            if (const QRgb pixel = alone.pixel(x, y); pixel != qRgb(255, 255, 255)) take(x, y, pixel);
+          }
+        }
+      };
+      visit([&](int x, int y, QRgb pixel) {
+        ++drawn;
+        if (opaque.pixel(x, y) == pixel) ++seen;
+      });
+      if (static_cast<double>(seen) >= kMostlySeen * static_cast<double>(drawn)) continue;
+      visit([&](int x, int y, QRgb pixel) {
+        const QRgb there = picture.pixel(x, y);
+        picture.setPixel(x, y,
+                         qRgb((qRed(there) + qRed(pixel)) / 2, (qGreen(there) + qGreen(pixel)) / 2,
+                              (qBlue(there) + qBlue(pixel)) / 2));
+      });
+    }
   }
 
   /// A square about the parts of the first step.

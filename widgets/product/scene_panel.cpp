@@ -124,7 +124,7 @@ void ScenePanel::setScenario(const LoadedScenario& scenario) {
   const QSignalBlocker block(this);
   clear();
   const bool isProduct = isAboutProduct(scenario.scenario);
-  QTreeWidgetItem* object = addGroup(isProduct ? tr("Part for a path of its own") : tr("Object"));
+  QTreeWidgetItem* object = addGroup(isProduct ? tr("Moving part of Find path") : tr("Object"));
   for (const RigidBody& body : scenario.objectBodies) addBody(*object, body, tr("moving part"));
   // The point is the one that the placement shows unless a person chooses another.
   const Vector3 point = placementPoints(scenario, {AssemblyItem::Kind::Start, {}}).fileOrigin;

@@ -112,16 +112,13 @@ class Page {
   }
 
   void addCover() {
-    std::size_t parts = 0;
-    for (const PartsListRow& row : instruction_.parts) parts += row.count;
     std::string tools;
     for (const std::string& tool : instruction_.tools) tools += (tools.empty() ? "" : " · ") + tool;
     std::string statements;
     for (const std::string& statement : instruction_.statements) statements += paragraph("", statement);
     out_ += "<section>\n<div class=\"top\"><div class=\"words\">\n" + paragraph("work", instruction_.title) +
             (instruction_.imprint.empty() ? std::string() : paragraph("soft", instruction_.imprint)) +
-            paragraph("", say(GLISSADE_TEXT("%1 {1|part|parts}, %2 {2|step|steps}"),
-                              {std::to_string(parts), std::to_string(instruction_.steps)})) +
+            paragraph("", extentText(instruction_, words_)) +
             (tools.empty() ? std::string() : paragraph("", say(GLISSADE_TEXT("Tools: %1"), {tools}))) +
             (instruction_.incomplete.empty() ? std::string() : paragraph("work", instruction_.incomplete)) +
             statements + "</div></div>\n" + "<div class=\"picture\">" +

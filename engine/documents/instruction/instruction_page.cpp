@@ -124,12 +124,9 @@ InstructionPage PageMaker::cover() const {
     head += height;
   }
   made.pictures.push_back({{area.x, area.y + head, area.width, area.height - head - kFacts}, std::nullopt});
-  std::size_t parts = 0;
-  for (const PartsListRow& row : instruction_.parts) parts += row.count;
   const double top = area.bottom() - kFacts + 3.0;
   made.texts.push_back({{area.x, top, area.width, 8.0},
-                        say(GLISSADE_TEXT("%1 {1|part|parts}, %2 {2|step|steps}"),
-                            {std::to_string(parts), std::to_string(instruction_.steps)}),
+                        extentText(instruction_, words_),
                         kWorkPoints,
                         true});
   std::string tools;

@@ -1,6 +1,8 @@
 #include "engine/documents/instruction/work_instruction.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -24,8 +26,11 @@ constexpr double kHiddenShare = 0.15;
 /// something.
 constexpr double kFallsOut = 0.7;
 
-/// Smallest number of equal screws that are tightened crosswise, so that they clamp a part evenly.
+/// Smallest number of screws on one part that are tightened crosswise, so that they clamp it evenly.
 constexpr std::size_t kCrosswise = 3;
+
+/// Metres. A nut that is nearer to the end of its rod is flush with it.
+constexpr double kFlush = 1e-4;
 
 /// Designation of a fastener, for example "screw M3x8"; the kind of part for others.
 std::string partName(const PartsListRow& row) { return namesOnePart(row.designation) ? row.designation : row.name; }
@@ -40,6 +45,7 @@ class Instructor {
     made_.title = heading.title;
     made_.imprint = heading.imprint;
     made_.steps = plan_.steps.size();
+    made_.base = plan_.staying.size();
     made_.bodies = idsOf(product_.bodies);
     made_.parts = partsList(plan_, product_);
     made_.incomplete = partsWithoutStep();
@@ -199,18 +205,20 @@ class Instructor {
       panel.fetched = fetched(coming);
     }
     panel.work = workOf(panel);
-    const auto screwed = std::count_if(panel.steps.begin(), panel.steps.end(), isScrewed);
-    if (static_cast<std::size_t>(screwed) >= kCrosswise) {
+    if (mostClamping(panel.steps) >= kCrosswise) {
       panel.notes.push_back(say(GLISSADE_TEXT("Start all by hand, then tighten crosswise.")));
     }
     std::set<std::string> said;
+    for (const StepMotion* motion : motionsOf(panel.steps)) {
+      if (const std::string note = placeOnRod(*motion); !note.empty() && said.insert(note).second) {
+        panel.notes.push_back(note);
+      }
+    }
     for (const AssemblyStep& step : panel.steps) {
       const StepMotion& opening = step.opening();
       const std::string tool = capitalized(words_.toolName(opening));
       if (!tool.empty() && panel.tool.empty()) panel.tool = tool;
-      if (!tool.empty() && std::find(made_.tools.begin(), made_.tools.end(), tool) == made_.tools.end()) {
-        made_.tools.push_back(tool);
-      }
+      if (!tool.empty()) needTool(tool, isHeldWithSecond(opening) ? 2 : 1);
       if (!opening.tool.turned.empty()) {
         const std::string note =
             say(GLISSADE_TEXT("Hold %1, turn %2."), {supported({opening.body}), supported({opening.tool.turned})});
@@ -220,13 +228,35 @@ class Instructor {
         const std::string held = supported({opening.tool.held});
         const std::string with = words_.heldWith(opening);
         const std::string note =
-            with.empty() ? say(GLISSADE_TEXT("Hold %1."), {held}) : say(GLISSADE_TEXT("Hold %1 (%2)."), {held, with});
+            with.empty() ? say(GLISSADE_TEXT("Hold %1."), {held})
+            : isHeldWithSecond(opening)
+                ? say(GLISSADE_TEXT("Hold the other %1 with a second %2."), {held, words_.toolName(opening)})
+                : say(GLISSADE_TEXT("Hold %1 (%2)."), {held, with});
         if (said.insert(note).second) panel.notes.push_back(note);
       }
       const Ids falling = step.falling();
       if (falling.empty()) continue;
       const std::string note = say(GLISSADE_TEXT("Needs support: %1"), {supported(falling)});
       if (said.insert(note).second) panel.notes.push_back(note);
+    }
+  }
+
+  /// True if what is held on the other side is the same part as what is turned: two tools of one size are needed.
+  bool isHeldWithSecond(const StepMotion& motion) {
+    const StepTool& tool = motion.tool;
+    return !tool.held.empty() && tool.heldWith == tool.kind && &rowOf(tool.held) == &rowOf(motion.body);
+  }
+
+  /// Lists the tool, or that two of it are needed.
+  void needTool(const std::string& tool, std::size_t count) {
+    const std::string counted = countedName(tool, count);
+    const auto listed = std::find_if(made_.tools.begin(), made_.tools.end(), [&](const std::string& each) {
+      return each == tool || each == countedName(tool, 2);
+    });
+    if (listed == made_.tools.end()) {
+      made_.tools.push_back(counted);
+    } else if (count > 1) {
+      *listed = counted;
     }
   }
 
@@ -281,11 +311,51 @@ class Instructor {
       panel.notes.push_back(say(GLISSADE_TEXT("Hold while you turn it over: %1"), {supported(loose)}));
   }
 
-  static bool isScrewed(const AssemblyStep& step) {
-    return std::any_of(step.motions.begin(), step.motions.end(), [](const StepMotion& motion) {
-      return std::any_of(motion.joints.begin(), motion.joints.end(),
-                         [](const StepJoint& joint) { return glissade::isScrewed(joint.kind); });
-    });
+  /// The largest number of steps that screw down the same part.
+  static std::size_t mostClamping(const std::vector<AssemblyStep>& steps) {
+    std::map<BodyId, std::size_t> clampedBy;
+    for (const AssemblyStep& step : steps) {
+      std::set<BodyId> clamped;
+      for (const StepMotion& motion : step.motions) {
+        for (const StepJoint& joint : motion.joints) {
+          if (isScrewed(joint.kind)) clamped.insert(joint.clamped.begin(), joint.clamped.end());
+        }
+      }
+      for (const BodyId& id : clamped) ++clampedBy[id];
+    }
+    std::size_t most = 0;
+    for (const auto& [id, count] : clampedBy) most = std::max(most, count);
+    return most;
+  }
+
+  /// How far a nut that clamps nothing is turned onto its rod, from where it is assembled: nothing stops it there. Empty
+  /// for other motions.
+  std::string placeOnRod(const StepMotion& motion) {
+    for (const StepJoint& joint : motion.joints) {
+      const bool isNut = joint.kind == JointKind::Nut || joint.kind == JointKind::Thread;
+      if (!isNut || joint.body != motion.body || !joint.clamped.empty() || joint.others.empty()) continue;
+      const BodyId& rod = joint.others.front();
+      const Vector3 out = exitDirection(motion.path);
+      const double length = farthest(rod, out) - farthest(joint.body, out);
+      const std::string turns = words_.turns(joint.turns);
+      const std::string nut = partName(rowOf(joint.body));
+      const std::string onto = partName(rowOf(rod));
+      if (std::abs(length) < kFlush) {
+        return say(GLISSADE_TEXT("%1: %2 {2|turn|turns}, until flush with the end of %3."), {nut, turns, onto});
+      }
+      if (length < 0.0) return say(GLISSADE_TEXT("%1: %2 {2|turn|turns} onto %3."), {nut, turns, onto});
+      return say(GLISSADE_TEXT("%1: %2 {2|turn|turns}, until %3 of %4 stick out."),
+                 {nut, turns, words_.length(length), onto});
+    }
+    return {};
+  }
+
+  /// The largest coordinate of the assembled body along a unit direction, metres.
+  double farthest(const BodyId& id, const Vector3& direction) const {
+    const RigidBody& body = product_.body(id);
+    double most = -std::numeric_limits<double>::infinity();
+    for (const Vector3& vertex : body.mesh->vertices) most = std::max(most, direction.dot(body.X_WB * vertex));
+    return most;
   }
 
   std::string supported(const Ids& ids) {
@@ -349,6 +419,15 @@ class Instructor {
 WorkInstruction workInstruction(const AssemblyPlan& plan, const AssembledProduct& product,
                                 const InstructionHeading& heading, const PlanWords& words, const WorkWatch& watch) {
   return Instructor(plan, product, words, watch).instruct(heading);
+}
+
+std::string extentText(const WorkInstruction& instruction, const DocumentWords& words) {
+  std::size_t parts = 0;
+  for (const PartsListRow& row : instruction.parts) parts += row.count;
+  const std::size_t coming = parts - std::min(parts, instruction.base);
+  return words(instruction.base == 1 ? GLISSADE_TEXT("%1 {1|part|parts} + base, %3 {3|step|steps}")
+                                     : GLISSADE_TEXT("%1 {1|part|parts} + base of %2, %3 {3|step|steps}"),
+               {std::to_string(coming), std::to_string(instruction.base), std::to_string(instruction.steps)});
 }
 
 std::vector<Viewpoint> viewsOfSteps(const WorkInstruction& instruction, const AssemblyPlan& plan) {

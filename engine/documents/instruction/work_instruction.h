@@ -38,6 +38,7 @@ struct WorkInstruction {
   Language language = Language::English;
   std::string title;
   std::size_t steps = 0;   ///< number of steps of the plan
+  std::size_t base = 0;    ///< number of parts in the base, which have no step
   std::string incomplete;  ///< names the parts for which the plan has no step; empty: there are none
   /// Statements of the first page: accepted clashes, parts that touch nothing, excluded parts.
   std::vector<std::string> statements;
@@ -59,6 +60,9 @@ struct InstructionHeading {
 /// together before the step that brings it. Ends early after a stop. Precondition: the plan is about the product.
 WorkInstruction workInstruction(const AssemblyPlan& plan, const AssembledProduct& product,
                                 const InstructionHeading& heading, const PlanWords& words, const WorkWatch& watch = {});
+
+/// "51 parts + base, 40 steps": the parts that steps bring, as the window counts them.
+std::string extentText(const WorkInstruction& instruction, const DocumentWords& words);
 
 /// How the product lies in each step of the plan, in the order of removal.
 std::vector<Viewpoint> viewsOfSteps(const WorkInstruction& instruction, const AssemblyPlan& plan);

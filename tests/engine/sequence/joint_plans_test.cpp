@@ -96,6 +96,23 @@ TEST(JointPlans, ANutLeavesByTheOtherEndWhereOneIsForbidden) {
   }
 }
 
+/// A person puts the cover before its screw.
+TEST(JointPlans, AScrewThatClampsAPartIsNamedWhereAPersonMovesTheStep) {
+  const AssembledProduct product = screwedCover();
+  const Joints joints{screwIn(2, {0}, {1})};
+  const AssemblyPlan plan = planOf(product, joints, "base");
+  ASSERT_EQ(test::orderOf(plan), (std::vector<BodyId>{"screw", "cover"}));
+  test::QuietHost host;
+  SequenceRequest request{{true, false, false}};
+  request.resumed = &plan;
+  request.joints = &joints;
+  const auto answer = planWithOrder(product, test::fitsOf(product), request, {1, 0}, host);
+  ASSERT_TRUE(answer);
+  const auto* conflict = std::get_if<OrderConflict>(&*answer);
+  ASSERT_NE(conflict, nullptr);
+  EXPECT_EQ(toString(conflict->reason), "'screw' clamps 'cover'");
+}
+
 AssembledProduct boxesInARow(std::size_t count) {
   std::vector<RigidBody> bodies;
   for (std::size_t i = 0; i < count; ++i) {
