@@ -87,6 +87,25 @@ TEST(StepDrawer, WhatComesIsSeenThroughWhatHidesIt) {
   EXPECT_GT(count(drawer.panel(panel, kPixels), isTinted), 500U);
 }
 
+/// A large part that is seen does not make up for a small one that is hidden.
+TEST(StepDrawer, EachMotionIsSeen) {
+  test::InstructedProduct made;
+  made.product = test::productOf({boxBody("wall", {0.1, 4.0, 4.0}, Pose::translation({-1.0, 0.0, 0.0})),
+                                  boxBody("box", {0.4, 0.4, 0.4}, Pose::identity()),
+                                  boxBody("slab", {1.0, 3.0, 3.0}, Pose::translation({-2.0, 0.0, 0.0}))});
+  InstructionPanel panel;
+  panel.present = {"wall"};
+  const StepDrawer drawer(made.product);
+  const auto isTinted = [](QRgb pixel) { return qRed(pixel) - qBlue(pixel) > 40 && !isArrow(pixel); };
+  panel.steps = {test::stepAlong("slab", -Vector3::UnitX())};
+  const std::size_t slab = count(drawer.panel(panel, kPixels), isTinted);
+  panel.steps = {test::stepAlong("slab", -Vector3::UnitX()), test::stepAlong("box", Vector3::UnitY())};
+  const QImage both = drawer.panel(panel, kPixels);
+  const auto isBlended = [&](QRgb pixel) { return isTinted(pixel) && !isOrange(pixel); };
+  EXPECT_GT(slab, 5000U);
+  EXPECT_GT(count(both, isBlended), 100U) << "the box shows through";
+}
+
 TEST(StepDrawer, PicturesHaveTheirSize) {
   const test::InstructedProduct made = test::blocksOnABase(2);
   const StepDrawer drawer(made.product);

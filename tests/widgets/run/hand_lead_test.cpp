@@ -57,22 +57,29 @@ TEST_F(HandLead, HasNumbersOfOneDigit) {
   EXPECT_EQ(textOf(keys, false).toStdString(), "right 300 mm · roll left 10°");
 }
 
-using HandLeadInTheWindow = test::WholeWindowTest;
-INSTANTIATE_TEST_SUITE_P(Languages, HandLeadInTheWindow, testing::Values("en"));
-
-TEST_P(HandLeadInTheWindow, NamesKeysOnceTheHandWasTakenToAPlace) {
-  const auto window = makeWindow();
-  ASSERT_FALSE(window->openScenario(sample("environment-1"), true));
-  window->show();
-  const Workbench& bench = window->workbench();
-  const auto shows = [&window](const char* text) {
+class HandLeadInTheWindow : public test::WholeWindowTest {
+ protected:
+  bool shows(const char* text) const {
     const auto lines = window->findChildren<QLabel*>(QStringLiteral("scene-hint"));
     return std::any_of(lines.begin(), lines.end(), [text](const QLabel* line) {
       return line->isVisible() && line->text().contains(QString::fromUtf8(text));
     });
-  };
-  bench.session.setDevice("hand");
-  bench.session.post(command::SetPlanner{"by-hand"});
+  }
+  void open() {
+    ASSERT_FALSE(window->openScenario(sample("environment-1"), true));
+    window->show();
+    session.setDevice("hand");
+    session.post(command::SetPlanner{"by-hand"});
+  }
+
+  std::unique_ptr<MainWindow> window = makeWindow();
+  SessionBridge& session = window->workbench().session;
+};
+INSTANTIATE_TEST_SUITE_P(Languages, HandLeadInTheWindow, testing::Values("en"));
+
+TEST_P(HandLeadInTheWindow, NamesKeysOnceTheHandWasTakenToAPlace) {
+  open();
+  const Workbench& bench = window->workbench();
   bench.session.post(command::Start{});
   bench.session.advance(200);
   EXPECT_FALSE(shows("Hold "));
@@ -83,6 +90,71 @@ TEST_P(HandLeadInTheWindow, NamesKeysOnceTheHandWasTakenToAPlace) {
   bench.session.advance(1);
   bench.session.setDevice("none");
   EXPECT_FALSE(shows("Hold "));
+}
+
+/// The object is beside walls: at least one of the six moves leads into one.
+TEST_P(HandLeadInTheWindow, NamesWhatStopsTheObjectAndTheMovesThatAreFree) {
+  open();
+  session.post(command::Start{});
+  session.advance(1);
+  InputMailbox& keys = session.hand()->keyboard.mailbox;
+  const Pose start = session.snapshot()->device.q_device;
+  std::size_t stopped = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const double side : {-1.0, 1.0}) {
+      session.post(command::SetDevicePose{start});
+      RawAxes axes{};
+      axes[axis] = side;
+      keys.setAxes(axes);
+      for (int slice = 0; slice < 20; ++slice) session.advance(10);
+      const OperatorSample& hand = session.snapshot()->device;
+      const bool isStopped = hand.hand && hand.nearest.body >= 0;
+      EXPECT_EQ(shows("back off or slide along it. Free: "), isStopped) << axis << " " << side;
+      stopped += isStopped ? 1 : 0;
+      keys.setAxes({});
+      session.advance(2);
+      EXPECT_FALSE(shows("Touches")) << "no key is held";
+    }
+  }
+  EXPECT_GT(stopped, 0U);
+}
+
+TEST_P(HandLeadInTheWindow, APausedRunSaysHowItGoesOn) {
+  open();
+  session.post(command::Start{});
+  session.advance(10);
+  EXPECT_FALSE(shows("Paused"));
+  const std::uint64_t moves = session.snapshot()->device.moves;
+  window->workbench().actions["run.pause"]->trigger();
+  RawAxes axes{};
+  axes[0] = 1.0;
+  session.hand()->keyboard.mailbox.setAxes(axes);
+  session.advance(10);
+  EXPECT_TRUE(shows("Paused: press F6 to go on."));
+  EXPECT_EQ(session.snapshot()->device.moves, moves) << "the object rests";
+  window->workbench().actions["run.pause"]->trigger();
+  session.advance(10);
+  EXPECT_FALSE(shows("Paused"));
+  EXPECT_GT(session.snapshot()->device.moves, moves);
+  session.hand()->keyboard.mailbox.setAxes({});
+}
+
+/// The row of the present settings is there before a run.
+TEST_P(HandLeadInTheWindow, TheRowOfThePaperIsThereFromTheStart) {
+  ASSERT_FALSE(window->openScenario(sample("environment-1"), true));
+  window->show();
+  const auto* row = window->findChild<QLabel*>(QStringLiteral("paper-comparison"));
+  session.post(command::SetPlanner{"contact-birrt"});
+  for (const double alpha : {0.2, 0.5}) {
+    session.post(command::SetParameter{ParameterId::Alpha, alpha});
+    session.advance(1);
+    EXPECT_FALSE(row->isHidden());
+    EXPECT_TRUE(row->text().contains(QStringLiteral("α = %1<").arg(alpha))) << row->text().toStdString();
+    EXPECT_TRUE(row->text().contains(QStringLiteral("–"))) << "this run has no path";
+  }
+  session.post(command::SetParameter{ParameterId::Alpha, 0.37});
+  session.advance(1);
+  EXPECT_TRUE(row->isHidden()) << "the paper has no such row";
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ TEST(WorkInstruction, AlikePartsAreFetchedTogetherWithTheirCount) {
   InstructedProduct made = test::blocksOnABase(4);
   for (std::size_t i = 0; i < 4; ++i) {
     made.plan.steps[i].task = 1;
-    StepJoint screw{JointKind::Screw, made.plan.steps[i].only().body, {"base"}};
+    StepJoint screw{JointKind::Screw, made.plan.steps[i].only().body, {"base"}, {"base"}};
     screw.designation = "ISO 4762 M3x8";
     screw.drive = DriveKind::HexSocket;
     screw.driveSize = 0.0025;
@@ -63,6 +63,62 @@ TEST(WorkInstruction, AlikePartsAreFetchedTogetherWithTheirCount) {
       << "each once";
   EXPECT_EQ(instruction.tools, std::vector<std::string>{"Hex key 2.5"});
   EXPECT_EQ(instruction.parts.size(), 2U) << "base, and one row for the screws";
+}
+
+TEST(WorkInstruction, OnlyThreeScrewsThatClampOnePartAreTightenedCrosswise) {
+  InstructedProduct made = test::blocksOnABase(5);
+  for (std::size_t i = 0; i < 4; ++i) {
+    made.plan.steps[i].task = 1;
+    made.plan.steps[i].only().joints = {{JointKind::Screw, made.plan.steps[i].only().body, {"base"}}};
+  }
+  EXPECT_TRUE(test::instructed(made).panels.back().notes.empty()) << "nothing is clamped";
+  for (std::size_t i = 0; i < 2; ++i) made.plan.steps[i].only().joints[0].clamped = {"block0"};
+  for (std::size_t i = 2; i < 4; ++i) made.plan.steps[i].only().joints[0].clamped = {"base"};
+  EXPECT_TRUE(test::instructed(made).panels.back().notes.empty()) << "two screws a part";
+  made.plan.steps[2].only().joints[0].clamped = {"block0"};
+  EXPECT_FALSE(test::instructed(made).panels.back().notes.empty());
+}
+
+/// Nothing but the number says where the nut ends.
+TEST(WorkInstruction, ANutThatClampsNothingHasItsTurnsAndItsHeightOnTheRod) {
+  InstructedProduct made;
+  for (const double height : {0.0, 0.45}) {
+    made.product = test::productOf({boxBody("rod", {0.1, 0.1, 1.0}, Pose::identity()),
+                                    boxBody("nut", {0.2, 0.2, 0.1}, Pose::translation({0.0, 0.0, height}))});
+    made.plan = {};
+    made.plan.bodies = {"rod", "nut"};
+    made.plan.staying = {"rod"};
+    made.plan.steps = {test::stepAlong("nut", Vector3::UnitZ())};
+    StepJoint& joint = made.plan.steps[0].only().joints.emplace_back();
+    joint = {JointKind::Nut, "nut", {"rod"}};
+    joint.turns = 10.0;
+    EXPECT_EQ(test::instructed(made).panels.back().notes.front(),
+              height > 0.0 ? "nut: 10.0 turns, until flush with the end of rod."
+                           : "nut: 10.0 turns, until 450 mm of rod stick out.");
+  }
+  made.plan.steps[0].only().joints[0].clamped = {"rod"};
+  EXPECT_TRUE(test::instructed(made).panels.back().notes.empty()) << "it is tightened";
+}
+
+TEST(WorkInstruction, TwoNutsOfOneSizeNeedTheSameToolTwice) {
+  InstructedProduct made;
+  made.product = test::productOf({boxBody("rod", {0.1, 0.1, 1.0}, Pose::identity()),
+                                  boxBody("nut-1", {0.2, 0.2, 0.1}, Pose::translation({0.0, 0.0, 0.3})),
+                                  boxBody("nut-2", {0.2, 0.2, 0.1}, Pose::translation({0.0, 0.0, -0.3}))});
+  made.plan.bodies = {"rod", "nut-1", "nut-2"};
+  made.plan.staying = {"rod", "nut-2"};
+  made.plan.steps = {test::stepAlong("nut-1", Vector3::UnitZ())};
+  StepMotion& motion = made.plan.steps[0].only();
+  motion.tool.kind = motion.tool.heldWith = ToolKind::OpenWrench;
+  motion.tool.held = "nut-2";
+  const WorkInstruction instruction = test::instructed(made);
+  EXPECT_EQ(instruction.panels.back().notes.front(), "Hold the other nut with a second open wrench.");
+  EXPECT_EQ(instruction.tools, std::vector<std::string>{"2 × Open wrench"});
+}
+
+TEST(WorkInstruction, TheCoverCountsThePartsThatComeAsTheWindowDoes) {
+  const WorkInstruction instruction = test::instructed(test::blocksOnABase(3));
+  EXPECT_EQ(extentText(instruction, DocumentWords(Language::English)), "3 parts + base, 3 steps");
 }
 
 TEST(WorkInstruction, AGroupIsPutTogetherBeforeItIsPutOn) {
