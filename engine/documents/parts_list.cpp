@@ -149,7 +149,14 @@ std::vector<PartsListRow> partsList(const AssemblyPlan& plan, const AssembledPro
 std::string stepsText(const PartsListRow& row, const DocumentWords& words) {
   std::string steps = row.hasBase ? words(GLISSADE_TEXT("base")) : std::string();
   const auto add = [&](const std::string& text) { steps += (steps.empty() ? "" : ", ") + text; };
-  for (const std::size_t step : row.steps) add(std::to_string(step));
+  for (std::size_t i = 0; i < row.steps.size();) {
+    std::size_t end = i + 1;
+    while (end < row.steps.size() && row.steps[end] == row.steps[end - 1] + 1) ++end;
+    const std::string first = std::to_string(row.steps[i]);
+    const bool isRange = end - i > 2;
+    add(isRange ? first + "–" + std::to_string(row.steps[end - 1]) : first);
+    i = isRange ? end : i + 1;
+  }
   if (row.withoutStep > 0) add(words(GLISSADE_TEXT("no step")));
   return steps;
 }

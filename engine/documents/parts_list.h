@@ -32,7 +32,7 @@ bool namesOnePart(const std::string& designation);
 /// order of their first use in the assembly, then of their names. Precondition: the plan is about the product.
 std::vector<PartsListRow> partsList(const AssemblyPlan& plan, const AssembledProduct& product);
 
-/// The steps that bring the parts of a row: "base, 3, 7"; "no step" where one has none.
+/// The steps that bring the parts of a row: "base, 3, 7–9"; "no step" where one has none.
 std::string stepsText(const PartsListRow& row, const DocumentWords& words);
 
 }  // namespace glissade

@@ -215,14 +215,6 @@
         <translation>&amp;Quitter</translation>
     </message>
     <message>
-        <source>Plan with a fresh roadmap and the current seed</source>
-        <translation>Planifier à partir d&apos;un graphe vide, avec la graine courante</translation>
-    </message>
-    <message>
-        <source>Stop and start again with the same seed</source>
-        <translation>Arrêter le calcul et le redémarrer avec la même graine</translation>
-    </message>
-    <message>
         <source>Restart with a &amp;new seed</source>
         <translation>Redémarrer avec une &amp;nouvelle graine</translation>
     </message>
@@ -817,10 +809,6 @@
     <message>
         <source>Quit Glissade</source>
         <translation>Quitter Glissade</translation>
-    </message>
-    <message>
-        <source>Pause the planner, or resume it</source>
-        <translation>Suspendre le planificateur, ou le reprendre</translation>
     </message>
     <message>
         <source>Move the object back to the start</source>
@@ -1605,14 +1593,6 @@
     <message>
         <source>Show which step precedes which, and which parts block the stuck ones</source>
         <translation>Montrer quelle étape précède quelle autre, et quelles pièces bloquent celles qui sont coincées</translation>
-    </message>
-    <message>
-        <source>Move the selected step of the sequence one row up; the other steps are planned again</source>
-        <translation>Monter d&apos;une ligne l&apos;étape sélectionnée&#xa0;; la suite est replanifiée</translation>
-    </message>
-    <message>
-        <source>Move the selected step of the sequence one row down; the other steps are planned again</source>
-        <translation>Descendre d&apos;une ligne l&apos;étape sélectionnée&#xa0;; la suite est replanifiée</translation>
     </message>
     <message>
         <source>Keep the places and motions of the selected steps, or release them</source>
@@ -2557,6 +2537,26 @@
     <message>
         <source>Let the automatic planners finish the run at full speed, from the way of your hand if it is kept</source>
         <translation>Laisser les planificateurs automatiques terminer l&apos;exécution à pleine vitesse, depuis le chemin de votre main s&apos;il est gardé</translation>
+    </message>
+    <message>
+        <source>Plan with a fresh roadmap and the current seed; a run that your hand leads begins with its first motion</source>
+        <translation>Planifier à partir d&apos;un graphe vide, avec la graine courante&#xa0;; un calcul que mène votre main commence à son premier mouvement</translation>
+    </message>
+    <message>
+        <source>Pause the run and the object in your hand, or resume them</source>
+        <translation>Suspendre le calcul et l&apos;objet dans votre main, ou les reprendre</translation>
+    </message>
+    <message>
+        <source>Go back to the start pose and find the path again with the same seed; a run that your hand leads begins with its first motion</source>
+        <translation>Revenir à la pose de départ et chercher de nouveau le chemin avec la même graine&#xa0;; un calcul que mène votre main commence à son premier mouvement</translation>
+    </message>
+    <message>
+        <source>Move the selected step of the sequence one row up if the motions stay free</source>
+        <translation>Déplacer l&apos;étape sélectionnée d&apos;une ligne vers le haut si les mouvements restent libres</translation>
+    </message>
+    <message>
+        <source>Move the selected step of the sequence one row down if the motions stay free</source>
+        <translation>Déplacer l&apos;étape sélectionnée d&apos;une ligne vers le bas si les mouvements restent libres</translation>
     </message>
 </context>
 <context>
@@ -9730,10 +9730,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
         <translation>Supprimez la contrainte précédente, ou renoncez à la nouvelle.</translation>
     </message>
     <message>
-        <source>it was to be removed as step %1, and no motion was found there</source>
-        <translation>elle devait être démontée à l&apos;étape %1, et aucun mouvement n&apos;y a été trouvé</translation>
-    </message>
-    <message>
         <source>of %1 mm</source>
         <translation>de %1&#xa0;mm</translation>
     </message>
@@ -9896,10 +9892,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>the constraints on the order form a cycle</source>
         <translation>les contraintes sur l&apos;ordre forment un cycle</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is fixed as base, and is constrained to step %2</source>
-        <translation>«&#xa0;%1&#xa0;» est fixé comme base, et contraint à l&apos;étape %2</translation>
     </message>
     <message>
         <source>Fix another body as base, or remove the constraint.</source>
@@ -10268,10 +10260,6 @@ ses solides est un corps. #3 est la troisième pièce que «&#xa0;info&#xa0;» l
     <message>
         <source>kind of runs</source>
         <translation>type d&apos;essais</translation>
-    </message>
-    <message>
-        <source>%1 {1|part|parts}, %2 {2|step|steps}</source>
-        <translation>%1 {1|pièce|pièces}, %2 {2|étape|étapes}</translation>
     </message>
     <message>
         <source>Tools: %1</source>
@@ -11763,6 +11751,78 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <source>it and &apos;%1&apos; clash where they are assembled (%2), and neither can be cut and stay in one piece: mend the parts</source>
         <translation>elle et «&#xa0;%1&#xa0;» interfèrent à l’état assemblé (%2), et aucune ne peut être découpée et rester d&apos;un seul tenant&#xa0;: corrigez les pièces</translation>
     </message>
+    <message>
+        <source>changing the order of the steps</source>
+        <translation>changement de l&apos;ordre des étapes</translation>
+    </message>
+    <message>
+        <source>reading the studies of the papers</source>
+        <translation>lecture des études des articles</translation>
+    </message>
+    <message>
+        <source>Hold the other %1 with a second %2.</source>
+        <translation>Tenir l&apos;autre %1 avec un deuxième outil (%2).</translation>
+    </message>
+    <message>
+        <source>%1: %2 {2|turn|turns}, until flush with the end of %3.</source>
+        <translation>%1&#xa0;: %2 {2|tour|tours}, jusqu&apos;à affleurer le bout de %3.</translation>
+    </message>
+    <message>
+        <source>%1: %2 {2|turn|turns} onto %3.</source>
+        <translation>%1&#xa0;: %2 {2|tour|tours} sur %3.</translation>
+    </message>
+    <message>
+        <source>%1: %2 {2|turn|turns}, until %3 of %4 stick out.</source>
+        <translation>%1&#xa0;: %2 {2|tour|tours}, jusqu&apos;à ce que %4 dépasse de %3.</translation>
+    </message>
+    <message>
+        <source>%1 {1|part|parts} + base, %3 {3|step|steps}</source>
+        <translation>%1 {1|pièce|pièces} + base, %3 {3|étape|étapes}</translation>
+    </message>
+    <message>
+        <source>%1 {1|part|parts} + base of %2, %3 {3|step|steps}</source>
+        <translation>%1 {1|pièce|pièces} + base de %2, %3 {3|étape|étapes}</translation>
+    </message>
+    <message>
+        <source>no motion was found at the place that a constraint gives it</source>
+        <translation>aucun mouvement n&apos;a été trouvé à la place qu&apos;une contrainte lui donne</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is fixed as base, and a constraint gives it a place among the steps</source>
+        <translation>«&#xa0;%1&#xa0;» est fixée comme base, et une contrainte lui donne une place parmi les étapes</translation>
+    </message>
+    <message>
+        <source>a constraint states that &apos;%1&apos; is removed before &apos;%2&apos;</source>
+        <translation>une contrainte dit que «&#xa0;%1&#xa0;» se démonte avant «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is on &apos;%2&apos;</source>
+        <translation>«&#xa0;%1&#xa0;» est sur «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; clamps &apos;%2&apos;</source>
+        <translation>«&#xa0;%1&#xa0;» serre «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is screwed to &apos;%2&apos;</source>
+        <translation>«&#xa0;%1&#xa0;» est vissée à «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; goes around &apos;%2&apos;</source>
+        <translation>«&#xa0;%1&#xa0;» entoure «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is flexible and may meet &apos;%2&apos;</source>
+        <translation>«&#xa0;%1&#xa0;» est souple et peut rencontrer «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is in the way of &apos;%2&apos;</source>
+        <translation>«&#xa0;%1&#xa0;» gêne «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>the motion of &apos;%1&apos; is not certified there</source>
+        <translation>le mouvement de «&#xa0;%1&#xa0;» n&apos;y est pas certifié</translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>
@@ -12065,6 +12125,10 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>✓ Path found: certified free of penetration. Play shows it.</source>
         <translation>✓ Chemin trouvé&#xa0;: certifié sans pénétration. Lecture le montre.</translation>
+    </message>
+    <message>
+        <source>At the start: the run begins when you move the object.</source>
+        <translation>Au départ&#xa0;: le calcul commence quand vous déplacez l&apos;objet.</translation>
     </message>
 </context>
 <context>
@@ -14045,6 +14109,22 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <source>A D W S Q E: move · J L I K U O: turn · Shift: slow · F: change the axes (now: %1) · %2: %3 · %4: go where the search is stuck</source>
         <translation>A D W S Q E&#xa0;: déplacer · J L I K U O&#xa0;: tourner · Maj&#xa0;: lentement · F&#xa0;: changer d’axes (maintenant&#xa0;: %1) · %2&#xa0;: %3 · %4&#xa0;: aller où la recherche est bloquée</translation>
     </message>
+    <message>
+        <source>Touches %1: turn the object, or go back.</source>
+        <translation>Touche %1&#xa0;: tournez l&apos;objet, ou revenez en arrière.</translation>
+    </message>
+    <message>
+        <source>Touches %1: back off or slide along it. Free: %2</source>
+        <translation>Touche %1&#xa0;: reculez ou glissez le long. Libre&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Paused: press %1 to go on.</source>
+        <translation>En pause&#xa0;: %1 pour continuer.</translation>
+    </message>
+    <message>
+        <source>The run begins when you move the object.</source>
+        <translation>Le calcul commence quand vous déplacez l&apos;objet.</translation>
+    </message>
 </context>
 <context>
     <name>glissade::HeadController</name>
@@ -15335,7 +15415,7 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     </message>
     <message>
         <source>%1 steps a second</source>
-        <translation>%1 pas par seconde</translation>
+        <translation>%1 pas/s</translation>
     </message>
     <message>
         <source>Pace</source>
@@ -15347,7 +15427,7 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     </message>
     <message>
         <source>%1 steps a second: real time</source>
-        <translation>%1 pas par seconde&#xa0;: temps réel</translation>
+        <translation>%1 pas/s&#xa0;: temps réel</translation>
     </message>
 </context>
 <context>
@@ -15365,10 +15445,10 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <translation>cette exécution</translation>
     </message>
     <message numerus="yes">
-        <source>simulated, %n run(s)</source>
+        <source>simulated, %n runs</source>
         <translation>
-            <numerusform>simulé, %n exécution</numerusform>
-            <numerusform>simulé, %n exécutions</numerusform>
+            <numerusform>simulé, %n calcul</numerusform>
+            <numerusform>simulés, %n calculs</numerusform>
         </translation>
     </message>
 </context>
@@ -16644,12 +16724,12 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <translation>Où se trouve alors l&apos;origine du fichier de l&apos;objet</translation>
     </message>
     <message>
-        <source>Part for a path of its own</source>
-        <translation>Pièce pour un chemin à elle seule</translation>
-    </message>
-    <message>
         <source>Other parts</source>
         <translation>Autres pièces</translation>
+    </message>
+    <message>
+        <source>Moving part of Find path</source>
+        <translation>Pièce mobile de Chercher un chemin</translation>
     </message>
 </context>
 <context>
@@ -16903,6 +16983,26 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <source>Sequence: %1</source>
         <translation>Séquence&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>Moving the step</source>
+        <translation>Déplacement de l&apos;étape</translation>
+    </message>
+    <message>
+        <source>Step %1 has to come after step %2: %3</source>
+        <translation>L&apos;étape %1 doit venir après l&apos;étape %2&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>%1. The order is as before.</source>
+        <translation>%1. L&apos;ordre reste tel quel.</translation>
+    </message>
+    <message>
+        <source>The step cannot be moved there</source>
+        <translation>L&apos;étape ne peut pas aller là</translation>
+    </message>
+    <message>
+        <source>&amp;Search other motions</source>
+        <translation>&amp;Chercher d&apos;autres mouvements</translation>
+    </message>
 </context>
 <context>
     <name>glissade::SequenceEdits</name>
@@ -16947,14 +17047,6 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <translation>Retirer&#xa0;: %1</translation>
     </message>
     <message>
-        <source>%1 is locked as step %2 of removal</source>
-        <translation>%1 est verrouillée comme étape %2 du démontage</translation>
-    </message>
-    <message>
-        <source>%1 is removed as step %2</source>
-        <translation>%1 est démontée comme étape %2</translation>
-    </message>
-    <message>
         <source>%1 is removed by the motion by hand</source>
         <translation>%1 est démontée par le mouvement fait à la main</translation>
     </message>
@@ -16981,6 +17073,14 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>The sequence cannot be planned with these constraints</source>
         <translation>La séquence ne peut pas être planifiée avec ces contraintes</translation>
+    </message>
+    <message>
+        <source>%1 is locked as step %2</source>
+        <translation>%1 est verrouillée comme étape %2</translation>
+    </message>
+    <message>
+        <source>%1 is placed as step %2</source>
+        <translation>%1 est placée comme étape %2</translation>
     </message>
 </context>
 <context>

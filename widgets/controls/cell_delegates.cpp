@@ -53,6 +53,23 @@ QString wholeWords(const QString& line, const QFontMetrics& metrics, int width) 
   return shown;
 }
 
+QStringList wrappedLines(const QString& line, const QFontMetrics& metrics, int width, int most) {
+  QStringList lines;
+  QString rest = line;
+  while (lines.size() + 1 < most && metrics.horizontalAdvance(rest) > width) {
+    QString begin = rest;
+    while (metrics.horizontalAdvance(begin) > width) {
+      const int end = lastBreak(begin);
+      if (end <= 0) break;
+      begin.truncate(end);
+    }
+    if (begin == rest) break;  // one long word
+    lines << begin;
+    rest = rest.mid(begin.size() + 1);
+  }
+  return lines << rest;
+}
+
 void WholeWordsDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
   QStyleOptionViewItem shown = option;
   initStyleOption(&shown, index);

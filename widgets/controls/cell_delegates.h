@@ -13,6 +13,10 @@ namespace glissade {
 /// The first words of the line that have room, and an ellipsis; a number keeps its unit.
 QString wholeWords(const QString& line, const QFontMetrics& metrics, int width);
 
+/// The line as lines of at most `width` pixels, broken between words; the last one of `most` lines has the rest. A
+/// number keeps its unit.
+QStringList wrappedLines(const QString& line, const QFontMetrics& metrics, int width, int most);
+
 /// Shows whole words of lines that are too long, because a number that is cut reads as another number.
 class WholeWordsDelegate : public QStyledItemDelegate {
  public:

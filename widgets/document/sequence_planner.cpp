@@ -179,6 +179,7 @@ void SequencePlanner::plan(const SequenceJob& job, bool atOnce) {
       [this, request](const GrownPlan& grown) { deliver([this, grown] { emit this->grown(grown); }, request); },
       [this, request](const std::vector<BodyId>& bodies) { deliver([this, bodies] { emit tried(bodies); }, request); }};
   planning_ = true;
+  reordering_ = false;
   task_.start(
       GLISSADE_TEXT("planning the sequence"),
       [this, job, finder = finder_, stop = stop_, announce](const WorkWatch& watch) -> BackgroundTask::Delivery {
@@ -198,7 +199,7 @@ void SequencePlanner::plan(const SequenceJob& job, bool atOnce) {
 void SequencePlanner::reorder(const OrderJob& job, bool atOnce) {
   drop();
   stop_ = StopSource();
-  planning_ = true;
+  planning_ = reordering_ = true;
   task_.start(
       GLISSADE_TEXT("changing the order of the steps"),
       [this, job, finder = finder_, stop = stop_.token()](const WorkWatch&) -> BackgroundTask::Delivery {

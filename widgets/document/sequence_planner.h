@@ -74,6 +74,7 @@ class SequencePlanner final : public QObject {
   /// Forgets the work under way.
   void drop();
   bool isPlanning() const { return planning_; }
+  bool isReordering() const { return planning_ && reordering_; }
   BackgroundTask& task() { return task_; }
 
  signals:
@@ -95,6 +96,7 @@ class SequencePlanner final : public QObject {
   StopSource stop_;
   std::uint64_t request_ = 0;
   bool planning_ = false;
+  bool reordering_ = false;  ///< the last work was that of reorder()
 };
 
 }  // namespace glissade

@@ -8,8 +8,8 @@ namespace {
 
 /// Time without a motion after which an object is stopped.
 constexpr double kMilliseconds = 300.0;
-/// Longest motion of a stopped object, in radii.
-constexpr double kNoMotion = 0.01;
+/// Longest motion of a stopped object in that time, in radii: it hardly slides.
+constexpr double kNoMotion = 0.03;
 /// Length of a move that has to be free, in radii of the object.
 constexpr double kFreeMove = 0.1;
 

@@ -89,7 +89,11 @@ SequenceController::SequenceController(const Workbench& bench)
   connect(&planner_.task(), &BackgroundTask::ended, this, &SequenceController::enableActions);
   bench.work.show(
       planner_.task(),
-      [this] { return planner_.isPlanning() ? tr("Planning the sequence") : tr("Certifying the sequence again"); },
+      [this] {
+        return planner_.isReordering() ? tr("Moving the step")
+               : planner_.isPlanning() ? tr("Planning the sequence")
+                                       : tr("Certifying the sequence again");
+      },
       [this] { planner_.stop(); });
   connect(panel_, &SequencePanel::sceneChanged, this, &SequenceController::showPanelsScene);
   connect(panel_, &SequencePanel::selectionChanged, this, &SequenceController::showPanelsScene);
@@ -155,11 +159,11 @@ PlanPtr SequenceController::earlierPlan() const {
   return shown().growing && shown().before ? shown().before : shown().plan;
 }
 
-std::optional<SequenceJob> SequenceController::jobWith(const SequenceDemands& demands) {
+std::optional<SequenceJob> SequenceController::jobWith(const std::vector<DemandedPlace>& places) {
   SequenceJob job;
   job.product = presentProduct();
   Scenario scenario = bench_.document.current();
-  scenario.sequence = demands;
+  scenario.sequence.places = places;
   const auto known = knownDemands(scenario, *job.product);
   const auto staying = known ? stayingBodies(*job.product, known->stay) : Result<BodySet>(known.error());
   if (!staying) {
@@ -176,7 +180,7 @@ std::optional<SequenceJob> SequenceController::jobWith(const SequenceDemands& de
 
 void SequenceController::startPlanning(bool resume, std::optional<std::size_t> mostSteps) {
   settling_.stop();
-  auto job = jobWith(bench_.document.demands());
+  auto job = jobWith(bench_.document.demands().places);
   if (!job) return;
   job->mostSteps = mostSteps;
   if (resume && shown().plan && shown().product) {
@@ -192,7 +196,7 @@ void SequenceController::startPlanning(bool resume, std::optional<std::size_t> m
 }
 
 void SequenceController::moveStep(StepMove move) {
-  auto job = jobWith(move.demands);
+  auto job = jobWith(move.demands.places);
   if (!job) return;
   const SequenceDemands demands = job->demands;
   goOnWith(shown(), *job);

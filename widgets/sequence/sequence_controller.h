@@ -100,8 +100,8 @@ class SequenceController final : public QObject {
   PlanPtr earlierPlan() const;
   /// Plans as plan(), but does not raise the panel.
   void startPlanning(bool resume, std::optional<std::size_t> mostSteps);
-  /// A job for the shown product with these demands; says why there is none.
-  std::optional<SequenceJob> jobWith(const SequenceDemands& demands);
+  /// A job for the present product with these places of steps; says why there is none.
+  std::optional<SequenceJob> jobWith(const std::vector<DemandedPlace>& places);
   void takeMoved(const PlanPtr& plan);
   void refuseMove(const OrderConflict& why);
   void takeGrown(const GrownPlan& grown, bool growing);

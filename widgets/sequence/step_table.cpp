@@ -33,11 +33,24 @@ enum StepColumn { StepNumber, StepPart, StepGaps, StepTools, StepState, StepColu
 constexpr int kStepRole = Qt::UserRole;         // index in the plan
 constexpr int kStuckRole = Qt::UserRole + 1;    // id of a stuck part
 constexpr int kPictureRole = Qt::UserRole + 2;  // id of the body in the picture
+constexpr int kWholeRole = Qt::UserRole + 3;    // text that is shown with more lines where it is wrapped
+constexpr int kMostLines = 3;                   // lines of which a wrapped line consists at most
 constexpr int kPartColumn = 184;
 constexpr int kLeastPartColumn = 120;
 constexpr int kLeastToolColumn = 48;
 constexpr int kPictureSize = 32;
 constexpr int kWrappedMargin = 16;  ///< about the text beside a picture, and between both
+
+/// Sets a text that is wrapped where its column is narrow.
+void setWrapped(QTreeWidgetItem& row, int column, const QString& text) {
+  row.setText(column, text);
+  row.setData(column, kWholeRole, text);
+}
+
+QString wholeText(const QTreeWidgetItem& row, int column) {
+  const QVariant whole = row.data(column, kWholeRole);
+  return whole.isValid() ? whole.toString() : row.text(column);
+}
 
 QString twoLines(const QString& upper, const QString& lower) { return upper + QLatin1Char('\n') + lower; }
 
@@ -158,6 +171,11 @@ StepTable::StepTable(IconOf iconOf, QWidget* parent) : QTreeWidget(parent), icon
   setAccessibleName(tr("Steps of the sequence"));
   header()->setSectionResizeMode(QHeaderView::Interactive);
   header()->setMinimumSectionSize(20);
+  connect(header(), &QHeaderView::sectionResized, this, [this](int column) {
+    if (column != StepPart && column != StepTools) return;
+    wrapTexts();
+    scheduleDelayedItemsLayout();
+  });
   setSelectionMode(QAbstractItemView::ExtendedSelection);
   setDragDropMode(QAbstractItemView::InternalMove);
   setDropIndicatorShown(true);
@@ -198,6 +216,10 @@ void StepTable::show(const ShownPlan& shown, PlanOrder order) {
 
 /// Makes the state visible without scrolling; names of parts and tools are cut if there is little room.
 void StepTable::fitColumns() {
+  const QSignalBlocker block(this);
+  for (int i = 0; i < topLevelItemCount(); ++i) {
+    for (const int column : {StepPart, StepTools}) topLevelItem(i)->setText(column, wholeText(*topLevelItem(i), column));
+  }
   for (const int column : {StepNumber, StepGaps}) resizeColumnToContents(column);
   // The last column takes the remaining width, which says nothing about its contents.
   const int state = std::max(sizeHintForColumn(StepState), header()->sectionSizeHint(StepState));
@@ -211,6 +233,28 @@ void StepTable::fitColumns() {
   setColumnWidth(StepPart, part);
   setColumnWidth(StepTools, std::max(kLeastToolColumn, left - part));
   setColumnWidth(StepState, state);
+  wrapTexts();
+}
+
+/// Wraps motions, tools and support in their columns. Names are told apart in one line (NameDelegate).
+void StepTable::wrapTexts() {
+  const QSignalBlocker block(this);
+  const int margins = 2 * (style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 1);
+  for (int i = 0; i < topLevelItemCount(); ++i) {
+    QTreeWidgetItem& row = *topLevelItem(i);
+    for (const int column : {StepPart, StepTools}) {
+      if (!row.data(column, kWholeRole).isValid()) continue;
+      const int picture = row.icon(column).isNull() ? 0 : kPictureSize + margins;
+      const QStringList lines = wholeText(row, column).split(QLatin1Char('\n'));
+      QStringList wrapped;
+      for (int line = 0; line < lines.size(); ++line) {
+        const bool isName = column == StepPart && line == 0;
+        wrapped << (isName ? QStringList(lines[line])
+                           : wrappedLines(lines[line], fontMetrics(), columnWidth(column) - picture - margins, kMostLines));
+      }
+      row.setText(column, wrapped.join(QLatin1Char('\n')));
+    }
+  }
 }
 
 void StepTable::setIcon(QTreeWidgetItem& row, const BodyId& bodyId) {
@@ -244,8 +288,8 @@ void StepTable::addStep(std::size_t place) {
   const QString motion = QString::fromStdString(words.motion(step, order_));
   const QString work = QString::fromStdString(words.work(step, *shown_.product, order_));
   const QString turn = turnBefore(place);
-  row->setText(StepPart, twoLines(QString::fromStdString(nameOfStep(step, *shown_.product)),
-                                  turn.isEmpty() ? work : turn + QLatin1Char(' ') + work));
+  setWrapped(*row, StepPart, twoLines(QString::fromStdString(nameOfStep(step, *shown_.product)),
+                                      turn.isEmpty() ? work : twoLines(turn, work)));
   QStringList told{allNames(step.bodies()), turn, work, motion};
   told.removeAll(QString());
   told.removeDuplicates();
@@ -288,7 +332,7 @@ void StepTable::showSupport(QTreeWidgetItem& row, const AssemblyStep& step) cons
   const QString violated = joinedTexts(words.violations(step, *shown_.product), QStringLiteral("; "));
   const QString forced = violated.isEmpty() ? QString() : tr("forced: %1").arg(violated);
   const QString standing = QString::fromStdString(words.standing(step, *shown_.product));
-  row.setText(StepTools, twoLines(tool, forced.isEmpty() ? standing : forced));
+  setWrapped(row, StepTools, twoLines(tool, forced.isEmpty() ? standing : forced));
   if (!forced.isEmpty()) row.setForeground(StepTools, palette().brush(QPalette::BrightText));
   QStringList tips{tool, allNames(opening.tool.blockedBy), forced,
                    QString::fromStdString(words.support(step, *shown_.product, order_))};
@@ -409,7 +453,7 @@ QTreeWidgetItem* StepTable::rowOf(std::size_t step) const {
 QString StepTable::textOf(std::size_t step) const {
   const QTreeWidgetItem* row = rowOf(step);
   QStringList texts;
-  for (int column = 0; row != nullptr && column < StepColumns; ++column) texts << row->text(column);
+  for (int column = 0; row != nullptr && column < StepColumns; ++column) texts << wholeText(*row, column);
   return texts.join(QLatin1Char('\n'));
 }
 

@@ -76,6 +76,7 @@ class StepTable final : public QTreeWidget {
   void addStuck(const StuckBody& stuck);
   void addEarlier(std::size_t step);
   void fitColumns();
+  void wrapTexts();
   QStringList unreachedInside(std::size_t step) const;
   void addUnreached(const SubassemblyLine& line, const LineAccess& access, QStringList& texts) const;
   void setIcon(QTreeWidgetItem& row, const BodyId& bodyId);

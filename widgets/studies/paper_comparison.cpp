@@ -17,7 +17,8 @@ namespace {
 
 QString numberText(double number) {
   const bool isWhole = number == std::floor(number);
-  return QLocale().toString(number, 'f', isWhole ? 0 : 1);
+  // Qt breaks lines at the narrow space that groups digits in some languages.
+  return QLocale().toString(number, 'f', isWhole ? 0 : 1).replace(QChar(0x202F), QChar::Nbsp);
 }
 
 std::string canonical(const QString& file) { return QFileInfo(file).canonicalFilePath().toStdString(); }
@@ -45,7 +46,7 @@ QString tableOf(const Study& study, const StudyCell& cell, const SessionSnapshot
   const QString none = QStringLiteral("–");
   QStringList heads{PaperComparison::tr("paper"), PaperComparison::tr("this run")};
   const bool isMeasured = !cell.measured.empty();
-  if (isMeasured) heads << PaperComparison::tr("simulated, %n run(s)", "", static_cast<int>(cell.seeds.size()));
+  if (isMeasured) heads << PaperComparison::tr("simulated, %n runs", "", static_cast<int>(cell.seeds.size()));
   QString html = QStringLiteral("<p><b>%1</b>, %2</p><table cellspacing='4'>")
                      .arg(escaped(study.heading.title), escaped(cell.row)) +
                  rowOf({}, heads);

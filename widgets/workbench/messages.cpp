@@ -67,7 +67,7 @@ bool Messages::isWanted(const QString& title, const QString& text, const QString
   log_.add(LogLevel::Information, title + QStringLiteral(": ") + text);
   if (quiet_) return false;
   PlainMessageBox box(QMessageBox::Information, title, title, text, &window_);
-  const QPushButton* wanted = box.addButton(accept, QMessageBox::AcceptRole);
+  const QPushButton* wanted = box.addButton(accept, QMessageBox::ActionRole);
   box.setDefaultButton(box.addButton(QMessageBox::Close));
   box.exec();
   return box.clickedButton() == wanted;

@@ -333,7 +333,8 @@ class Instructor {
   std::string placeOnRod(const StepMotion& motion) {
     for (const StepJoint& joint : motion.joints) {
       const bool isNut = joint.kind == JointKind::Nut || joint.kind == JointKind::Thread;
-      if (!isNut || joint.body != motion.body || !joint.clamped.empty() || joint.others.empty()) continue;
+      const bool isStopped = !joint.clamped.empty();
+      if (!isNut || isStopped || joint.body != motion.body || joint.others.empty() || joint.turns <= 0.0) continue;
       const BodyId& rod = joint.others.front();
       const Vector3 out = exitDirection(motion.path);
       const double length = farthest(rod, out) - farthest(joint.body, out);

@@ -299,6 +299,13 @@ TEST(PlanReport, StepsOfOneTaskAreOnePage) {
   EXPECT_EQ(page->find("Step 2 of 2"), std::string::npos);
 }
 
+TEST(PartsList, ConsecutiveStepsAreARange) {
+  PartsListRow row{"diode", {}};
+  row.hasBase = true;
+  row.steps = {2, 3, 5, 7, 8, 9, 12};
+  EXPECT_EQ(stepsText(row, DocumentWords(Language::English)), "base, 2, 3, 5, 7–9, 12");
+}
+
 TEST(PartsList, FastenersOfOneDesignationAreOneRow) {
   AssembledProduct product = test::lockedDrawer();
   AssemblyPlan plan = planWithASubassembly();
