@@ -58,16 +58,15 @@ QStringList wrappedLines(const QString& line, const QFontMetrics& metrics, int w
   QString rest = line;
   while (lines.size() + 1 < most && metrics.horizontalAdvance(rest) > width) {
     QString begin = rest;
-    while (metrics.horizontalAdvance(begin) > width) {
-      const int end = lastBreak(begin);
-      if (end <= 0) break;
+    int end = lastBreak(begin);
+    while (end > 0 && metrics.horizontalAdvance(begin) > width) {
       begin.truncate(end);
+      end = lastBreak(begin);
     }
-    if (begin == rest) break;  // one long word
-    lines << begin;
+    lines << metrics.elidedText(begin, Qt::ElideMiddle, width);  // one word may be too long
     rest = rest.mid(begin.size() + 1);
   }
-  return lines << rest;
+  return rest.isEmpty() ? lines : lines << rest;
 }
 
 void WholeWordsDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {

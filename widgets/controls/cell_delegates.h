@@ -14,7 +14,7 @@ namespace glissade {
 QString wholeWords(const QString& line, const QFontMetrics& metrics, int width);
 
 /// The line as lines of at most `width` pixels, broken between words; the last one of `most` lines has the rest. A
-/// number keeps its unit.
+/// number keeps its unit. A longer word is elided.
 QStringList wrappedLines(const QString& line, const QFontMetrics& metrics, int width, int most);
 
 /// Shows whole words of lines that are too long, because a number that is cut reads as another number.

@@ -159,11 +159,12 @@ PlanPtr SequenceController::earlierPlan() const {
   return shown().growing && shown().before ? shown().before : shown().plan;
 }
 
-std::optional<SequenceJob> SequenceController::jobWith(const std::vector<DemandedPlace>& places) {
+std::optional<SequenceJob> SequenceController::jobWith(const SequenceDemands& demands) {
   SequenceJob job;
   job.product = presentProduct();
   Scenario scenario = bench_.document.current();
-  scenario.sequence.places = places;
+  scenario.sequence.places = demands.places;
+  scenario.sequence.motions = demands.motions;
   const auto known = knownDemands(scenario, *job.product);
   const auto staying = known ? stayingBodies(*job.product, known->stay) : Result<BodySet>(known.error());
   if (!staying) {
@@ -180,7 +181,7 @@ std::optional<SequenceJob> SequenceController::jobWith(const std::vector<Demande
 
 void SequenceController::startPlanning(bool resume, std::optional<std::size_t> mostSteps) {
   settling_.stop();
-  auto job = jobWith(bench_.document.demands().places);
+  auto job = jobWith(bench_.document.demands());
   if (!job) return;
   job->mostSteps = mostSteps;
   if (resume && shown().plan && shown().product) {
@@ -196,7 +197,7 @@ void SequenceController::startPlanning(bool resume, std::optional<std::size_t> m
 }
 
 void SequenceController::moveStep(StepMove move) {
-  auto job = jobWith(move.demands.places);
+  auto job = jobWith(move.demands);
   if (!job) return;
   const SequenceDemands demands = job->demands;
   goOnWith(shown(), *job);

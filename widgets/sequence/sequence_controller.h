@@ -35,7 +35,7 @@ class SequenceController final : public QObject {
   WorkTimesStore& workTimes() { return workTimes_; }
   /// Plans from the start, or resumes. `mostSteps`: the number of steps after which planning stops.
   void plan(bool resume, std::optional<std::size_t> mostSteps = std::nullopt);
-  /// A step that a person moves: the demands with its new place, the order of the steps, and the text of the edit.
+  /// Steps that a person moves or locks: the demands with their places, the order, and the text of the edit.
   struct StepMove {
     QString text;
     SequenceDemands demands;
@@ -100,8 +100,8 @@ class SequenceController final : public QObject {
   PlanPtr earlierPlan() const;
   /// Plans as plan(), but does not raise the panel.
   void startPlanning(bool resume, std::optional<std::size_t> mostSteps);
-  /// A job for the present product with these places of steps; says why there is none.
-  std::optional<SequenceJob> jobWith(const std::vector<DemandedPlace>& places);
+  /// A job for the present product with the places and motions of these demands; says why there is none.
+  std::optional<SequenceJob> jobWith(const SequenceDemands& demands);
   void takeMoved(const PlanPtr& plan);
   void refuseMove(const OrderConflict& why);
   void takeGrown(const GrownPlan& grown, bool growing);

@@ -4,6 +4,7 @@
 #include <QSignalBlocker>
 
 #include <algorithm>
+#include <numeric>
 
 #include "engine/base/number_text.h"
 #include "engine/sequence/demand_conflicts.h"
@@ -178,7 +179,10 @@ void SequenceEdits::lock(bool locked) {
     demands = withStepLocked(step, locked, *shown.plan, std::move(demands));
   }
   const QString name = joinedNames(chosenBodies(), *shown.product);
-  set(locked ? tr("Lock %1").arg(name) : tr("Unlock %1").arg(name), demands);
+  std::vector<std::size_t> order(shown.plan->steps.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  sequence_.moveStep({locked ? tr("Lock %1").arg(name) : tr("Unlock %1").arg(name), demands, order,
+                      sequence_.panel()->chosenBody()});
   enableActions();
 }
 

@@ -140,17 +140,18 @@ TEST_F(SequenceWindow, APersonMovesLocksAndForbidsStepsAndTakesItBack) {
   expectGood(runOnStand(
       QStringLiteral(
           "action sequence.assembly-order\nplan-sequence all\nmove-step 7 2\nexpect-row 2 bar\nexpect-row 2 "
-          "placed\nexpect-sequence steps 10\n"
-          "show-step 8\naction sequence.lock\nexpect-row 8 locked\naction sequence.step-down\n"
-          "expect-row 9 screw_2\nexpect-sequence steps 10\nexport-sequence %1\naction edit.undo\n"
-          "expect-row 8 locked\naction edit.undo\naction edit.undo\nexpect-row 7 bar\n"
+          "placed\nexpect-sequence proved 10\nexpect-row 4 cap_left\n"
+          "show-step 3\naction sequence.lock\nexpect-row 3 locked\nexpect-row 2 placed\n"
+          // Its screw holds the cap: the order stays.
+          "action sequence.step-down\nexpect-log clamps\nexpect-row 3 screw_1\nexpect-sequence end complete\n"
+          "action sequence.step-up\nexpect-row 2 locked\nexpect-row 2 screw_1\nexpect-row 3 bar\n"
+          "expect-sequence proved 10\nexport-sequence %1\naction edit.undo\n"
+          "expect-row 3 locked\naction edit.undo\naction edit.undo\nexpect-row 7 bar\n"
           "expect-sequence end complete\naction edit.redo\nexpect-row 2 bar\naction edit.undo\n"
-          // The moved step cannot be proved at its place, so its cap is stuck: screws hold it.
-          "move-step 3 1\nexpect-sequence end stuck\nexpect-sequence stuck 1\naction edit.undo\n"
           "show-step 10\nexpect-row 10 up\nforbid-direction +z\nexpect-sequence end complete\n"
           "select-steps 1 2\naction sequence.keep-order\nexpect-sequence steps 10\nset-cost few-tools\n"
           // The document forbids +z and keeps an order of two screws. Two steps of the opened plan do otherwise.
-          "expect-sequence steps 10\nsave %2\nopen-sequence %1\nexpect-sequence proved 8\nexpect-row 2 placed\n")
+          "expect-sequence steps 10\nsave %2\nopen-sequence %1\nexpect-sequence proved 8\nexpect-row 2 locked\n")
           .arg(file("plan.json"), file("demands.json"))));
   EXPECT_TRUE(content("demands.json").contains("\"forbidden\""));
   EXPECT_TRUE(content("demands.json").contains("few-tools"));
