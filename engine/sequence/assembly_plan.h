@@ -165,6 +165,7 @@ struct SubassemblyLine {
   std::size_t step = 0;  ///< number, from 1, of the step by which the group has left, in the plan or in the line above
   std::vector<BodyId> bodies{};          ///< ids of all bodies of the group
   std::vector<BodyId> staying{};         ///< ids of the bodies that remain as the base
+  Vector3 up = Vector3::UnitZ();         ///< upward direction of the work place, unit, frame of the product
   std::vector<AssemblyStep> steps{};     ///< `after` counts the steps of this line
   std::vector<StuckBody> stuck{};        ///< bodies that could not leave the base
   std::vector<SubassemblyLine> lines{};  ///< lines of groups that leave this group
@@ -174,8 +175,9 @@ struct SubassemblyLine {
 struct AssemblyPlan {
   std::string strategy;  ///< id of the strategy
   std::uint64_t seed = 1;
-  std::vector<BodyId> bodies;   ///< ids of all bodies, in the order of the product
-  std::vector<BodyId> staying;  ///< ids of bodies that do not leave
+  std::vector<BodyId> bodies;     ///< ids of all bodies, in the order of the product
+  std::vector<BodyId> staying;    ///< ids of bodies that do not leave
+  Vector3 up = Vector3::UnitZ();  ///< upward direction of the work place, unit, frame of the product
   std::vector<AssemblyStep> steps;
   std::vector<RefusedRemoval> refusals;  ///< searches that a resumed run need not repeat
   /// Motions that a stopped run had found and not carried out, because bodies would fall.

@@ -6,11 +6,13 @@
 #include <numbers>
 #include <optional>
 
+#include "engine/sequence/floating_units.h"
 #include "engine/sequence/greedy_strategy.h"
 #include "engine/sequence/holding.h"
 #include "engine/sequence/joint_removal.h"
 #include "engine/sequence/order_search.h"
 #include "engine/sequence/plan_steps.h"
+#include "engine/sequence/proved_steps.h"
 #include "engine/sequence/removal_directions.h"
 #include "engine/sequence/step_motion.h"
 #include "engine/sequence/step_precedence.h"
@@ -57,8 +59,11 @@ double assemblyChangeOf(const std::vector<std::size_t>& one, const std::vector<s
   return 1.0 - static_cast<double>(end - one.begin()) / static_cast<double>(most);
 }
 
-/// 1: upwards; -1: downwards; 0: sideways. Products stand on the plane z = 0, as instructions show them.
-double sideOf(const Vector3& way) { return std::abs(way.z()) < kUpright ? 0.0 : std::copysign(1.0, way.z()); }
+/// 1: upwards; -1: downwards; 0: sideways.
+double sideOf(const Vector3& way, const Vector3& up) {
+  const double slope = way.dot(up);
+  return std::abs(slope) < kUpright ? 0.0 : std::copysign(1.0, slope);
+}
 
 class Reordering {
  public:
@@ -178,10 +183,12 @@ class Reordering {
     return figures;
   }
 
+  double sideOf(std::size_t step) const { return glissade::sideOf(ways_[step], question_.up); }
+
   /// Adds what changes after the step `last`.
   void addChanges(StepFigures& figures, std::size_t step, const std::size_t* last) const {
     figures.directionChange = last == nullptr || ways_[step].dot(ways_[*last]) < kSameWay;
-    figures.turnOver = last == nullptr ? 0.0 : 0.5 * std::abs(sideOf(ways_[step]) - sideOf(ways_[*last]));
+    figures.turnOver = last == nullptr ? 0.0 : 0.5 * std::abs(sideOf(step) - sideOf(*last));
     figures.toolChange = last == nullptr || usesAnotherTool(plan_.steps[step].only(), plan_.steps[*last].only());
     figures.taskChange = last == nullptr || tasks_[step] == 0 || tasks_[step] != tasks_[*last];
     figures.assemblyChange = last == nullptr ? 0.0 : assemblyChangeOf(assemblies_[step], assemblies_[*last]);
@@ -259,81 +266,22 @@ class Reordering {
   std::optional<ToolFacts> tools_;  ///< set if the cost uses the access of tools
 };
 
-/// The bodies that are there after the first n steps of the plan, for each n.
-std::vector<BodySet> presentAfter(const AssemblyPlan& plan, const SequenceQuestion& question) {
-  std::vector<BodySet> present{question.initial()};
-  for (const AssemblyStep& step : plan.steps) {
-    present.push_back(without(present.back(), groupOf(step, question.product)));
-  }
-  return present;
-}
-
-/// True if the proof of the motion covers all present bodies, and the nearest body that it names is one of them.
-bool isStillProved(const StepMotion& motion, const BodySet& proved, const BodySet& present,
-                   const AssembledProduct& product) {
-  for (std::size_t body = 0; body < present.size(); ++body) {
-    if (present[body] && !proved[body]) return false;
-  }
-  return motion.proof.nearest.empty() || present[product.indexOf(motion.proof.nearest)];
-}
-
-/// True if all bodies of the motion end outside of the box of the other bodies of `present`.
-bool endsOutside(const StepMotion& motion, const BodyGroup& group, const BodySet& present,
-                 const AssembledProduct& product) {
-  const Box3 others = boxOf(product, without(present, group));
-  const Pose moved = motion.path.back().q * inverse(motion.path.front().q);
-  return others.isEmpty() || std::none_of(group.begin(), group.end(), [&](std::size_t body) {
-           const RigidBody& own = product.bodies[body];
-           return others.intersects(boundingBox(*own.mesh, moved * own.X_WB));
-         });
-}
-
-/// The steps in another order, each certified against the bodies that are there then; nothing if one is not certified.
-std::optional<std::vector<AssemblyStep>> reordered(const AssemblyPlan& plan, const std::vector<std::size_t>& order,
-                                                   const SequenceQuestion& question, const StopToken& stop) {
-  std::vector<std::size_t> numberOf(order.size());
-  for (std::size_t place = 0; place < order.size(); ++place) numberOf[order[place]] = place + 1;
-  const std::vector<BodySet> before = presentAfter(plan, question);
-  std::vector<AssemblyStep> steps;
-  BodySet present = question.initial();
-  BodyGroup last;
-  std::size_t number = 0;
-  for (const std::size_t step : order) {
-    AssemblyStep next = plan.steps[step];
-    StepMotion& motion = next.only();
-    const BodyGroup group = groupOf(motion, question.product);
-    if (motion.certified && !isStillProved(motion, before[motion.proof.afterSteps], present, question.product)) {
-      const auto removed = question.trial.certified(group, motion.path, motion.method, present, stop);
-      if (!removed) return std::nullopt;
-      motion.proof = makeMotion(group, *removed, question, present, steps.size()).proof;
-    }
-    if (motion.certified && !endsOutside(motion, group, present, question.product)) return std::nullopt;
-    motion.proof.afterSteps = steps.size();
-    next.wave = steps.size() + 1;
-    next.after.clear();
-    for (const std::size_t earlier : plan.steps[step].after) next.after.push_back(numberOf[earlier - 1]);
-    std::sort(next.after.begin(), next.after.end());
-    BodyGroup falling;
-    if (question.standing != nullptr) falling = question.standing->newlyFalling(present, group);
-    motion.falling = idsOf(falling, question.product);
-    number += continuesStack(group, last, question.joints) ? 0 : 1;
-    last = group;
-    if (question.rules.placeOf(group) != 0) {
-      next.violates = violationsOf(group, present, falling, number, question);
-    }
-    present = without(present, group);
-    steps.push_back(std::move(next));
-  }
-  return steps;
-}
-
 /// Carries out the steps in the cheapest order, where each of them is certified in it.
 void putInOrder(AssemblyPlan& plan, const SequenceQuestion& question, const StopToken& stop) {
   const auto usual = StepCost::of(SequenceDemands());
   const StepCost& cost = question.cost != nullptr ? *question.cost : *usual;
   const auto order = Reordering(plan, question, cost, stop).order();
   if (std::is_sorted(order.begin(), order.end())) return;
-  if (auto steps = reordered(plan, order, question, stop)) plan.steps = std::move(*steps);
+  std::vector<std::size_t> numberOf(order.size());
+  for (std::size_t place = 0; place < order.size(); ++place) numberOf[order[place]] = place + 1;
+  const std::vector<ProvedStep> proved = provedSteps(plan, question);
+  std::vector<ProvedStep> steps;
+  for (const std::size_t step : order) {
+    steps.push_back(proved[step]);
+    for (std::size_t& earlier : steps.back().step.after) earlier = numberOf[earlier - 1];
+    std::sort(steps.back().step.after.begin(), steps.back().step.after.end());
+  }
+  if (auto certified = certifiedInOrder(std::move(steps), question, stop)) plan.steps = std::move(*certified);
 }
 
 /// The displacements of a motion.
@@ -384,6 +332,11 @@ AssemblyPlan BestFirstStrategy::plan(const SequenceQuestion& question, SequenceH
   plan.strategy = "best-first";
   if (plan.end == PlanEnd::Interrupted || stop.stopRequested()) return plan;
   putInOrder(plan, question, stop);
+  const bool hasUnits = liftFloatingUnits(plan, question, stop);
+  if (hasUnits) {
+    addPrecedence(plan, question, host);
+    putInOrder(plan, question, stop);
+  }
   if (!takeShorterSlides(plan, question, stop)) return plan;
   addPrecedence(plan, question, host);
   putInOrder(plan, question, stop);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/geometry/least_rotation.h"
 #include "engine/sequence/plan_bodies.h"
 #include "engine/sequence/step_motion.h"
 
@@ -56,10 +57,11 @@ std::vector<SurfacePoint> surfacePoints(const RigidBody& body) {
 Vector3 Viewpoint::toEye() const {
   const double angle = 0.5 * std::acos(-1.0) * quarter;
   const Vector3 corner = Eigen::AngleAxisd(angle, Vector3::UnitZ()) * kFirstCorner.normalized();
-  return turnedOver ? Vector3(-corner) : corner;
+  const Vector3 eye = leastRotation(Vector3::UnitZ(), workUp) * corner;
+  return turnedOver ? Vector3(-eye) : eye;
 }
 
-Vector3 Viewpoint::up() const { return turnedOver ? Vector3(-Vector3::UnitZ()) : Vector3::UnitZ(); }
+Vector3 Viewpoint::up() const { return turnedOver ? Vector3(-workUp) : workUp; }
 
 const TriangleTree& StepView::treeOf(std::size_t body) {
   auto& tree = trees_[product_.bodies[body].mesh];
@@ -130,7 +132,7 @@ Viewpoint StepView::choose(const std::vector<AssemblyStep>& steps, const BodySet
   double best = kept;
   for (const int quarters : {0, 1, 3, 2}) {
     for (const bool over : {false, true}) {
-      const Viewpoint other{(before.quarter + quarters) % 4, before.turnedOver != over};
+      const Viewpoint other{(before.quarter + quarters) % 4, before.turnedOver != over, before.workUp};
       if (other == before) continue;
       const double turning = quarters == 0 ? 1.0 : quarters == 2 ? kHalfTurn : kQuarterTurn;
       const double value = turning * (over ? kTurnOver : 1.0) * score(steps, present, other);

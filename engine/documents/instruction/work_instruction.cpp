@@ -52,7 +52,7 @@ class Instructor {
     for (const BodyId& id : made_.bodies) {
       if (leaving.count(id) == 0) base.push_back(id);
     }
-    addLine(plan_.steps, plan_.lines, base, {});
+    addLine(plan_.steps, plan_.lines, base, plan_.up, {});
     return std::move(made_);
   }
 
@@ -111,15 +111,15 @@ class Instructor {
 
   /// Adds the steps of the product, or of a group. `group`: number of the step that brings the group.
   void addLine(const std::vector<AssemblyStep>& steps, const std::vector<SubassemblyLine>& lines, const Ids& base,
-               const std::string& group) {
+               const Vector3& up, const std::string& group) {
     Ids present = base;
-    Viewpoint view;
-    addStart(base, group);
+    Viewpoint view{0, false, up};
+    addStart(base, view, group);
     for (const TaskRange& range : taskRanges(steps, made_.parts)) {
       if (watch_.stop.stopRequested()) return;
       const SubassemblyLine* line = lineOf(lines, steps.size() - range.place);
       const std::string number = taskNumber(range, group);
-      if (line != nullptr) addLine(line->steps, line->lines, baseOf(*line), number);
+      if (line != nullptr) addLine(line->steps, line->lines, baseOf(*line), line->up, number);
       InstructionPanel panel;
       panel.number = number;
       panel.subassembly = group;
@@ -153,8 +153,9 @@ class Instructor {
     return base;
   }
 
-  void addStart(const Ids& base, const std::string& group) {
+  void addStart(const Ids& base, const Viewpoint& view, const std::string& group) {
     InstructionPanel panel;
+    panel.view = view;
     panel.subassembly = group;
     panel.present = base;
     panel.fetched = fetched(base);
