@@ -165,10 +165,10 @@ struct SubassemblyLine {
   std::size_t step = 0;  ///< number, from 1, of the step by which the group has left, in the plan or in the line above
   std::vector<BodyId> bodies{};          ///< ids of all bodies of the group
   std::vector<BodyId> staying{};         ///< ids of the bodies that remain as the base
-  Vector3 up = Vector3::UnitZ();         ///< upward direction of the work place, unit, frame of the product
   std::vector<AssemblyStep> steps{};     ///< `after` counts the steps of this line
   std::vector<StuckBody> stuck{};        ///< bodies that could not leave the base
   std::vector<SubassemblyLine> lines{};  ///< lines of groups that leave this group
+  Vector3 up = Vector3::UnitZ();         ///< upward direction of the work place, unit, frame of the product
 };
 
 /// An order in which the bodies of a product leave, each with a certified motion; assembly is the reverse. A value.

@@ -33,6 +33,8 @@ constexpr std::size_t kMostOrderExpansions = 2000;
 constexpr double kLeastGain = 0.5;
 /// Least reduction of a slide for which a step gets another motion, as a share of the size of its bodies.
 constexpr double kWorthwhileSlide = 0.1;
+/// Number of times that floating units are looked for in a new order.
+constexpr int kMostLifts = 3;
 /// Number of bodies up to which the full limits of expansions hold.
 constexpr double kSmallProduct = 30.0;
 
@@ -133,8 +135,9 @@ class Reordering {
     bool inAir = false;
     double unfastened = 0.0;
     double openStacks = 0.0;
-    double falling = 0.0;      ///< known if isWhole
-    bool toolBlocked = false;  ///< known if isWhole
+    double falling = 0.0;  ///< this member and the next two are known if isWhole
+    double unsupported = 0.0;
+    bool toolBlocked = false;
     bool isWhole = false;
   };
 
@@ -199,6 +202,7 @@ class Reordering {
     SetFigures& ofSet = figuresOfSet(step, done);
     if (!ofSet.isWhole) addSlowFigures(step, done, ofSet);
     figures.falling = ofSet.falling;
+    figures.unsupported = ofSet.unsupported;
     figures.toolBlocked = ofSet.toolBlocked;
     return cost_.of(figures);
   }
@@ -228,6 +232,9 @@ class Reordering {
     const BodySet present = presentAfter(done);
     if (question_.standing != nullptr && cost_.uses("falling")) {
       figures.falling = static_cast<double>(question_.standing->newlyFalling(present, groups_[step]).size());
+    }
+    if (question_.standing != nullptr && cost_.uses("unsupported")) {
+      figures.unsupported = static_cast<double>(question_.standing->falling(without(present, groups_[step])).size());
     }
     if (tools_) {
       const auto tool = tools_->toolOf(step, without(present, groups_[step]), stop_);
@@ -332,8 +339,7 @@ AssemblyPlan BestFirstStrategy::plan(const SequenceQuestion& question, SequenceH
   plan.strategy = "best-first";
   if (plan.end == PlanEnd::Interrupted || stop.stopRequested()) return plan;
   putInOrder(plan, question, stop);
-  const bool hasUnits = liftFloatingUnits(plan, question, stop);
-  if (hasUnits) {
+  for (int pass = 0; pass < kMostLifts && liftFloatingUnits(plan, question, host); ++pass) {
     addPrecedence(plan, question, host);
     putInOrder(plan, question, stop);
   }

@@ -17,8 +17,12 @@ constexpr std::size_t kMostLifted = 32;
 
 class UnitLifter {
  public:
-  UnitLifter(const AssemblyPlan& plan, const SequenceQuestion& question, const StopToken& stop)
-      : question_(question), stop_(stop), holding_(question), steps_(provedSteps(plan, question)) {}
+  UnitLifter(const AssemblyPlan& plan, const SequenceQuestion& question, SequenceHost& host)
+      : question_(question),
+        host_(host),
+        stop_(host.stopToken()),
+        holding_(question),
+        steps_(provedSteps(plan, question)) {}
 
   /// The steps with the lifted units; nothing if none was lifted.
   std::optional<std::vector<AssemblyStep>> run() {
@@ -47,8 +51,26 @@ class UnitLifter {
       with.insert(with.end(), carrier.begin(), carrier.end());
       std::sort(with.begin(), with.end());
       if (lift(with, place, present)) return true;
+      if (const auto larger = alongALine(with, place, present); larger && lift(*larger, place, present)) return true;
     }
     return false;
+  }
+
+  /// The smallest group with this unit that can leave along a line.
+  std::optional<BodyGroup> alongALine(const BodyGroup& unit, std::size_t place, const BodySet& present) {
+    std::vector<BodyGroup> units{unit};
+    for (const std::size_t body : bodiesIn(question_.staying)) units.push_back({body});
+    for (std::size_t later = place; later < steps_.size(); ++later) {
+      BodyGroup group = groupOf(steps_[later].step, question_.product);
+      if (!std::includes(unit.begin(), unit.end(), group.begin(), group.end())) units.push_back(std::move(group));
+    }
+    const auto groups =
+        question_.trial.groupsAlongLines({present, question_.staying, units, kMostLifted}, host_.team(), stop_);
+    const auto found = std::find_if(groups.begin(), groups.end(), [&](const BodyGroup& group) {
+      return std::includes(group.begin(), group.end(), unit.begin(), unit.end());
+    });
+    if (found == groups.end()) return std::nullopt;
+    return *found;
   }
 
   /// Lets the unit leave before the step at `place`, and takes the steps of its bodies away.
@@ -91,6 +113,7 @@ class UnitLifter {
   static constexpr int kMostEffort = 1;
 
   const SequenceQuestion& question_;
+  SequenceHost& host_;
   const StopToken& stop_;
   Holding holding_;
   std::vector<ProvedStep> steps_;
@@ -98,9 +121,9 @@ class UnitLifter {
 
 }  // namespace
 
-bool liftFloatingUnits(AssemblyPlan& plan, const SequenceQuestion& question, const StopToken& stop) {
+bool liftFloatingUnits(AssemblyPlan& plan, const SequenceQuestion& question, SequenceHost& host) {
   if (question.liaisons == nullptr || question.liaisons->liaisons().empty()) return false;
-  auto steps = UnitLifter(plan, question, stop).run();
+  auto steps = UnitLifter(plan, question, host).run();
   if (!steps) return false;
   plan.steps = std::move(*steps);
   return true;

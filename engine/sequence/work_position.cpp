@@ -125,7 +125,7 @@ class PositionChoice {
       placed.largestFace = placed.boxVolume / std::max(sizes.minCoeff(), kThinnest);
       placed_.emplace(body, std::move(placed));
     }
-    findMayBeBase();
+    readJoints();
   }
 
   WorkPosition best() {
@@ -144,14 +144,18 @@ class PositionChoice {
 
   static std::vector<UpDirection> stated(const Vector3& up) { return {{up.normalized(), 1.0}}; }
 
-  void findMayBeBase() {
+  void readJoints() {
     mayBeBase_.assign(question_.product.bodies.size(), true);
+    unitOf_.assign(question_.product.bodies.size(), nullptr);
     for (std::size_t body = 0; body < question_.fasteners.size(); ++body) {
       mayBeBase_[body] = question_.fasteners[body] == FastenerKind::None;
     }
     for (const Joint& joint : question_.joints) {
       const bool isUnit = joint.kind == JointKind::Unit || joint.kind == JointKind::Permanent;
       if (!isUnit && joint.kind != JointKind::Snap) mayBeBase_[joint.body] = false;
+      if (!isUnit) continue;
+      unitOf_[joint.body] = &joint;
+      for (const std::size_t other : joint.others) unitOf_[other] = &joint;
     }
   }
 
@@ -197,12 +201,13 @@ class PositionChoice {
     return {touching > 0.0, mayBeBase_[body], worth, placed.boxVolume};
   }
 
-  /// Number of neighbours; a fastener counts less.
+  /// Number of neighbours outside of the body's unit; a fastener counts less.
   double touchingOf(std::size_t body) const {
     double touching = 0.0;
     for (const std::size_t other : question_.graph.neighboursOf(body)) {
       const bool isFastener = !question_.fasteners.empty() && question_.fasteners[other] != FastenerKind::None;
-      if (question_.among[other]) touching += isFastener ? kFastenerTouch : 1.0;
+      const bool isOfItsUnit = unitOf_[body] != nullptr && unitOf_[body] == unitOf_[other];
+      if (question_.among[other] && !isOfItsUnit) touching += isFastener ? kFastenerTouch : 1.0;
     }
     return touching;
   }
@@ -222,6 +227,7 @@ class PositionChoice {
   const PositionQuestion& question_;
   std::map<std::size_t, PlacedBody> placed_;
   std::vector<bool> mayBeBase_;
+  std::vector<const Joint*> unitOf_;  ///< the joint of the unit that contains the body; null: none
   std::optional<Rank> bestRank_;
   WorkPosition best_;
 };

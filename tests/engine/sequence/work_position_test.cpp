@@ -92,15 +92,15 @@ TEST(WorkPosition, AProductThatStandsWellIsNotTurned) {
 }
 
 TEST(WorkPosition, ABodyThatWouldTipOverDoesNotStand) {
-  // A bracket whose foot is under one end of its long arm: it lies on its side.
-  RigidBody bracket = boxBody("bracket", {1.0, 0.1, 0.1}, Pose::translation({0.5, 0.0, 0.35}));
-  TriangleMesh mesh = *bracket.mesh;
-  append(mesh, transformed(*boxBody("foot", {0.1, 0.1, 0.3}, {}).mesh, Pose::translation({-0.45, 0.0, -0.2})));
-  bracket.mesh = std::make_shared<const TriangleMesh>(mesh);
+  // A mast with a foot on one side of it. The centre of the mast is beyond the foot, so that it does not stand on it.
+  RigidBody mast = boxBody("mast", {0.4, 0.1, 0.9}, Pose::translation({0.0, 0.0, 0.55}));
+  TriangleMesh mesh = *mast.mesh;
+  append(mesh, transformed(*boxBody("foot", {0.02, 0.1, 0.1}, {}).mesh, Pose::translation({-0.19, 0.0, -0.5})));
+  mast.mesh = std::make_shared<const TriangleMesh>(mesh);
   const AssembledProduct product =
-      test::productOf({bracket, boxBody("lamp", {0.05, 0.05, 0.05}, Pose::translation({0.9, 0.0, 0.275}))});
+      test::productOf({mast, boxBody("lamp", {0.05, 0.05, 0.05}, Pose::translation({0.0, 0.075, 0.55}))});
   const WorkPosition position = positionOf(product, contactsOf(0, {1}));
-  EXPECT_NEAR(position.up.z(), 0.0, 1e-9) << position.up.transpose();
+  EXPECT_NEAR(position.up.y(), 1.0, 1e-9) << position.up.transpose() << ": it lies, with the lamp above it";
 }
 
 }  // namespace
