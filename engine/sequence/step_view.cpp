@@ -12,12 +12,14 @@ namespace {
 
 /// Direction to the first corner: front, left, above.
 const Vector3 kFirstCorner(-1.0, -1.2, 0.9);
-/// Factors of the scores of other viewpoints, by the effort of turning the product.
+/// Factors of the scores of other viewpoints, by the effort of turning the product, and of lying upside down.
 constexpr double kQuarterTurn = 0.9;
 constexpr double kHalfTurn = 0.85;
 constexpr double kTurnOver = 0.8;
-/// The viewpoint is kept if its score is at least this share of the best one.
+/// The viewpoint is kept if its score is at least this share of the best one. A product that is turned over goes back
+/// on its base sooner.
 constexpr double kGoodEnough = 0.6;
+constexpr double kGoodEnoughTurnedOver = 0.9;
 /// Number of surface points that are tested for visibility.
 constexpr std::size_t kSamples = 160;
 /// Weight of a motion that is seen from the side.
@@ -127,7 +129,7 @@ double StepView::score(const std::vector<AssemblyStep>& steps, const BodySet& pr
 }
 
 Viewpoint StepView::choose(const std::vector<AssemblyStep>& steps, const BodySet& present, const Viewpoint& before) {
-  const double kept = score(steps, present, before);
+  const double kept = (before.turnedOver ? kTurnOver : 1.0) * score(steps, present, before);
   Viewpoint chosen = before;
   double best = kept;
   for (const int quarters : {0, 1, 3, 2}) {
@@ -135,13 +137,13 @@ Viewpoint StepView::choose(const std::vector<AssemblyStep>& steps, const BodySet
       const Viewpoint other{(before.quarter + quarters) % 4, before.turnedOver != over, before.workUp};
       if (other == before) continue;
       const double turning = quarters == 0 ? 1.0 : quarters == 2 ? kHalfTurn : kQuarterTurn;
-      const double value = turning * (over ? kTurnOver : 1.0) * score(steps, present, other);
+      const double value = turning * (other.turnedOver ? kTurnOver : 1.0) * score(steps, present, other);
       if (value <= best) continue;
       best = value;
       chosen = other;
     }
   }
-  return kept >= kGoodEnough * best ? before : chosen;
+  return kept >= (before.turnedOver ? kGoodEnoughTurnedOver : kGoodEnough) * best ? before : chosen;
 }
 
 }  // namespace glissade
