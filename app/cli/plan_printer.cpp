@@ -116,6 +116,15 @@ void PlanPrinter::printLines(const std::vector<SubassemblyLine>& lines, std::siz
   }
 }
 
+/// "+y", or "0.5 0 0.866".
+std::string axisInWords(const Vector3& direction) {
+  constexpr const char* kAxes = "xyz";
+  int axis = 0;
+  const double most = direction.cwiseAbs().maxCoeff(&axis);
+  if (most > 1.0 - 1e-6) return std::string(1, direction[axis] > 0.0 ? '+' : '-') + kAxes[axis];
+  return rounded(direction.x()) + " " + rounded(direction.y()) + " " + rounded(direction.z());
+}
+
 /// The number of screws in bodies that have no hole for them in the file.
 std::size_t screwHoles(const AssemblyPlan& plan) {
   std::size_t holes = 0;
@@ -142,6 +151,8 @@ void PlanPrinter::print(const AssemblyPlan& plan, double seconds) const {
     console_.print({GLISSADE_TEXT("accepted clash: %1"), {inWords(clash, product_)}});
   }
   if (!plan.staying.empty()) console_.print({GLISSADE_TEXT("base: %1"), {words_.base(plan, product_)}});
+  if (!plan.up.isApprox(Vector3::UnitZ()))
+    console_.print({GLISSADE_TEXT("up, in the file: %1"), {axisInWords(plan.up)}});
   printSteps(plan.steps, "", "");
   printLines(plan.lines, plan.steps.size(), "", "  ");
   printStuck(plan.stuck, "");

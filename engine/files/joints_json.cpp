@@ -13,17 +13,6 @@ using Json = JsonCursor::Json;
 
 constexpr EnumNames<JointEdit::Word, 4> kWordNames{{"confirmed", "dissolved", "pressed_out", "opened"}};
 
-/// A direction of any length, as a unit vector. A direction of unit length within rounding is kept, so that files are
-/// read and written without a change.
-struct DirectionFormat : VectorFormat {
-  Vector3 read(const JsonCursor& at) const {
-    const Vector3 direction = readVector(at);
-    const double length = direction.norm();
-    if (!(length > 1e-9)) at.fail(GLISSADE_TEXT("has no length"), GLISSADE_TEXT("Give a direction, as [0, 0, 1]."));
-    return std::abs(length - 1.0) < 1e-12 ? direction : Vector3(direction / length);
-  }
-};
-
 /// The member "made" of a statement: the joint, and the ids of what it clamps.
 struct MadeJoint : Joint {
   std::vector<BodyId> ids{};

@@ -49,6 +49,9 @@ constexpr FunctionFormat kClearance{[](const JsonCursor& at) {
                                     R"({"type": ["number", "null"], "minimum": 0})"};
 
 /// Id of a body, or null: none.
+constexpr const char* kAboutUp =
+    "Upward direction of the work place, in the frame of the product: the base lies well so. Absent: [0, 0, 1].";
+
 constexpr FunctionFormat kIdOrNull{
     [](const JsonCursor& at) { return at.json().is_null() ? BodyId() : kBodyId.read(at); },
     [](const BodyId& id) { return id.empty() ? Json(nullptr) : Json(id); },
@@ -306,6 +309,7 @@ void describe(Archive& line, Type<SubassemblyLine> /*type*/) {
                 "The step by which the group has left, number from 1, of the plan or of the line above.");
   line.required("bodies", &SubassemblyLine::bodies, kIds);
   line.required("staying", &SubassemblyLine::staying, kIds, "The bodies that remain as the base.");
+  line.optional("up", &SubassemblyLine::up, DirectionFormat(), kAboutUp);
   line.required("steps", &SubassemblyLine::steps, kObjects<AssemblyStep>);
   line.required("stuck", &SubassemblyLine::stuck, kObjects<StuckBody>);
   line.optional("lines", &SubassemblyLine::lines, kObjects<SubassemblyLine>);
@@ -354,6 +358,7 @@ void describe(Archive& plan, Type<AssemblyPlan> /*type*/) {
       "Every step is certified. False: a flexible body leaves without a proof.");
   plan.required("bodies", &AssemblyPlan::bodies, kIds, "All bodies of the product, in its order.");
   plan.required("staying", &AssemblyPlan::staying, kIds);
+  plan.optional("up", &AssemblyPlan::up, DirectionFormat(), kAboutUp);
   plan.required("steps", &AssemblyPlan::steps, kObjects<AssemblyStep>);
   plan.required("stuck", &AssemblyPlan::stuck, kObjects<StuckBody>);
   plan.required("refusals", &AssemblyPlan::refusals,

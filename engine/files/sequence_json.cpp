@@ -90,7 +90,8 @@ void describe(Archive& demands, Type<SequenceDemands> /*type*/) {
                "A person's demands on assembly plans. Bodies are named by id, or by the end of ids behind a '/'.");
   demands.optional("together", &Demands::together, listOf(names(2)), "Bodies that leave as one.");
   demands.optional("before", &Demands::before, listOf(kTextPair), "The first body leaves before the second.");
-  demands.optional("gravity", &Demands::gravity, AnyLengthFormat(), "Direction of gravity; absent: down, [0, 0, -1].");
+  demands.optional("gravity", &Demands::gravity, AnyLengthFormat(),
+                   "Direction of gravity; absent: the base lies well, see up of plans.");
   demands.optional("densities", &Demands::densities, listOf(PairFormat{"body", "density", kPositive}),
                    "Densities in kg/m^3; 7850 for other bodies.");
   demands.optional("joint_use", &Demands::jointUse, named(kJointUseNames),

@@ -69,6 +69,9 @@ constexpr std::array<std::string_view, 25> kUnitWords{
     "fan",   "sensor",   "switch",  "relay",   "camera",          "battery", "display",      "actuator", "encoder",
     "pump",  "solenoid", "bldc",    "speaker", "microcontroller", "vesc",    "potentiometer"};
 
+/// Largest distance between a board and a part that is soldered to it, metres.
+constexpr double kSolderGap = 3e-4;
+
 /// Words of populated circuit boards.
 constexpr std::array<std::string_view, 7> kBoardWords{"pcb",          "pcba",    "board",    "platine",
                                                       "leiterplatte", "arduino", "raspberry"};
@@ -239,7 +242,8 @@ class SuggestedJointFinder {
   }
 
   /// Adds a populated circuit board: a thin plate in an assembly with such a name, and the parts of the assembly that
-  /// are on it. Each part or assembly below counts as a whole. Screws and what does not touch the board are no members.
+  /// are on it. Each part or assembly below counts as a whole. Screws and what is not on the board are no members. The
+  /// gap of the solder is not in CAD files as a body, so that parts are drawn a little above their board.
   bool addBoard(std::size_t node, const std::vector<std::size_t>& bodies, Joints& joints) {
     const Product& tree = shapes_.product().tree;
     const std::string& name = tree.nodes()[node].names.product;
@@ -249,7 +253,7 @@ class SuggestedJointFinder {
     if (!isBoard(*board)) return false;
     Joint joint;
     joint.kind = JointKind::Unit;
-    joint.state = JointState::Suggested;
+    joint.state = JointState::Recognised;
     joint.body = *board;
     std::map<std::size_t, std::vector<std::size_t>> members;  // by the node below the assembly
     for (const std::size_t body : bodies) {
@@ -257,7 +261,7 @@ class SuggestedJointFinder {
     }
     for (const auto& [below, part] : members) {
       const bool isOn = std::any_of(part.begin(), part.end(), [&](std::size_t body) {
-        return shapes_.apart(*board, body, kTouchReach) <= kTouchReach;
+        return shapes_.apart(*board, body, kSolderGap) <= kSolderGap;
       });
       if (isOn) joint.others.insert(joint.others.end(), part.begin(), part.end());
     }

@@ -42,4 +42,11 @@ Json toJson(const Vector3& v) { return Json::array({v.x(), v.y(), v.z()}); }
 
 Json toJson(const Pose& pose) { return writeDescribed(pose); }
 
+Vector3 DirectionFormat::read(const JsonCursor& at) const {
+  const Vector3 direction = readVector(at);
+  const double length = direction.norm();
+  if (!(length > 1e-9)) at.fail(GLISSADE_TEXT("has no length"), GLISSADE_TEXT("Give a direction, as [0, 0, 1]."));
+  return std::abs(length - 1.0) < 1e-12 ? direction : Vector3(direction / length);
+}
+
 }  // namespace glissade

@@ -20,6 +20,12 @@ struct VectorFormat {
 };
 inline constexpr VectorFormat kVector{};
 
+/// A direction of any length, as a unit vector. A direction of unit length within rounding is kept, so that files are
+/// read and written without a change.
+struct DirectionFormat : VectorFormat {
+  Vector3 read(const JsonCursor& at) const;
+};
+
 /// A unit quaternion x, y, z, w.
 struct QuaternionFormat {
   Quaternion read(const JsonCursor& at) const;

@@ -168,14 +168,16 @@ struct SubassemblyLine {
   std::vector<AssemblyStep> steps{};     ///< `after` counts the steps of this line
   std::vector<StuckBody> stuck{};        ///< bodies that could not leave the base
   std::vector<SubassemblyLine> lines{};  ///< lines of groups that leave this group
+  Vector3 up = Vector3::UnitZ();         ///< upward direction of the work place, unit, frame of the product
 };
 
 /// An order in which the bodies of a product leave, each with a certified motion; assembly is the reverse. A value.
 struct AssemblyPlan {
   std::string strategy;  ///< id of the strategy
   std::uint64_t seed = 1;
-  std::vector<BodyId> bodies;   ///< ids of all bodies, in the order of the product
-  std::vector<BodyId> staying;  ///< ids of bodies that do not leave
+  std::vector<BodyId> bodies;     ///< ids of all bodies, in the order of the product
+  std::vector<BodyId> staying;    ///< ids of bodies that do not leave
+  Vector3 up = Vector3::UnitZ();  ///< upward direction of the work place, unit, frame of the product
   std::vector<AssemblyStep> steps;
   std::vector<RefusedRemoval> refusals;  ///< searches that a resumed run need not repeat
   /// Motions that a stopped run had found and not carried out, because bodies would fall.

@@ -6,14 +6,15 @@
 #include <numbers>
 #include <optional>
 
+#include "engine/sequence/floating_units.h"
 #include "engine/sequence/greedy_strategy.h"
 #include "engine/sequence/holding.h"
 #include "engine/sequence/joint_removal.h"
 #include "engine/sequence/order_search.h"
 #include "engine/sequence/plan_steps.h"
+#include "engine/sequence/proved_steps.h"
 #include "engine/sequence/removal_directions.h"
 #include "engine/sequence/step_motion.h"
-#include "engine/sequence/step_order.h"
 #include "engine/sequence/step_precedence.h"
 #include "engine/sequence/step_stacks.h"
 #include "engine/sequence/step_tools.h"
@@ -32,6 +33,8 @@ constexpr std::size_t kMostOrderExpansions = 2000;
 constexpr double kLeastGain = 0.5;
 /// Least reduction of a slide for which a step gets another motion, as a share of the size of its bodies.
 constexpr double kWorthwhileSlide = 0.1;
+/// Number of times that floating units are looked for in a new order.
+constexpr int kMostLifts = 3;
 /// Number of bodies up to which the full limits of expansions hold.
 constexpr double kSmallProduct = 30.0;
 
@@ -58,8 +61,11 @@ double assemblyChangeOf(const std::vector<std::size_t>& one, const std::vector<s
   return 1.0 - static_cast<double>(end - one.begin()) / static_cast<double>(most);
 }
 
-/// 1: upwards; -1: downwards; 0: sideways. Products stand on the plane z = 0, as instructions show them.
-double sideOf(const Vector3& way) { return std::abs(way.z()) < kUpright ? 0.0 : std::copysign(1.0, way.z()); }
+/// 1: upwards; -1: downwards; 0: sideways.
+double sideOf(const Vector3& way, const Vector3& up) {
+  const double slope = way.dot(up);
+  return std::abs(slope) < kUpright ? 0.0 : std::copysign(1.0, slope);
+}
 
 class Reordering {
  public:
@@ -129,8 +135,9 @@ class Reordering {
     bool inAir = false;
     double unfastened = 0.0;
     double openStacks = 0.0;
-    double falling = 0.0;      ///< known if isWhole
-    bool toolBlocked = false;  ///< known if isWhole
+    double falling = 0.0;  ///< this member and the next two are known if isWhole
+    double unsupported = 0.0;
+    bool toolBlocked = false;
     bool isWhole = false;
   };
 
@@ -179,10 +186,12 @@ class Reordering {
     return figures;
   }
 
+  double sideOf(std::size_t step) const { return glissade::sideOf(ways_[step], question_.up); }
+
   /// Adds what changes after the step `last`.
   void addChanges(StepFigures& figures, std::size_t step, const std::size_t* last) const {
     figures.directionChange = last == nullptr || ways_[step].dot(ways_[*last]) < kSameWay;
-    figures.turnOver = last == nullptr ? 0.0 : 0.5 * std::abs(sideOf(ways_[step]) - sideOf(ways_[*last]));
+    figures.turnOver = last == nullptr ? 0.0 : 0.5 * std::abs(sideOf(step) - sideOf(*last));
     figures.toolChange = last == nullptr || usesAnotherTool(plan_.steps[step].only(), plan_.steps[*last].only());
     figures.taskChange = last == nullptr || tasks_[step] == 0 || tasks_[step] != tasks_[*last];
     figures.assemblyChange = last == nullptr ? 0.0 : assemblyChangeOf(assemblies_[step], assemblies_[*last]);
@@ -193,6 +202,7 @@ class Reordering {
     SetFigures& ofSet = figuresOfSet(step, done);
     if (!ofSet.isWhole) addSlowFigures(step, done, ofSet);
     figures.falling = ofSet.falling;
+    figures.unsupported = ofSet.unsupported;
     figures.toolBlocked = ofSet.toolBlocked;
     return cost_.of(figures);
   }
@@ -222,6 +232,9 @@ class Reordering {
     const BodySet present = presentAfter(done);
     if (question_.standing != nullptr && cost_.uses("falling")) {
       figures.falling = static_cast<double>(question_.standing->newlyFalling(present, groups_[step]).size());
+    }
+    if (question_.standing != nullptr && cost_.uses("unsupported")) {
+      figures.unsupported = static_cast<double>(question_.standing->falling(without(present, groups_[step])).size());
     }
     if (tools_) {
       const auto tool = tools_->toolOf(step, without(present, groups_[step]), stop_);
@@ -266,8 +279,9 @@ void putInOrder(AssemblyPlan& plan, const SequenceQuestion& question, const Stop
   const StepCost& cost = question.cost != nullptr ? *question.cost : *usual;
   const auto order = Reordering(plan, question, cost, stop).order();
   if (std::is_sorted(order.begin(), order.end())) return;
-  auto steps = inOrder(plan, order, question, stop);
-  if (auto* certified = std::get_if<std::vector<AssemblyStep>>(&steps)) plan.steps = std::move(*certified);
+  if (auto certified = certifiedInOrder(provedSteps(plan, order, question), question, stop)) {
+    plan.steps = std::move(*certified);
+  }
 }
 
 /// The displacements of a motion.
@@ -318,6 +332,10 @@ AssemblyPlan BestFirstStrategy::plan(const SequenceQuestion& question, SequenceH
   plan.strategy = "best-first";
   if (plan.end == PlanEnd::Interrupted || stop.stopRequested()) return plan;
   putInOrder(plan, question, stop);
+  for (int pass = 0; pass < kMostLifts && liftFloatingUnits(plan, question, host); ++pass) {
+    addPrecedence(plan, question, host);
+    putInOrder(plan, question, stop);
+  }
   if (!takeShorterSlides(plan, question, stop)) return plan;
   addPrecedence(plan, question, host);
   putInOrder(plan, question, stop);

@@ -73,6 +73,7 @@ class GreedySearch {
   GreedySearch(const SequenceQuestion& question, SequenceHost& host)
       : question_(question), host_(host), present_(question.initial()), placed_(question.product.bodies.size(), false) {
     plan_.seed = question.seed;
+    plan_.up = question.up;
     for (std::size_t body = 0; body < present_.size(); ++body) {
       if (present_[body]) plan_.bodies.push_back(idOf(body));
       if (present_[body] && question.staying[body]) plan_.staying.push_back(idOf(body));

@@ -30,13 +30,13 @@ Holding::Holding(const SequenceQuestion& question) : question_(question), initia
 bool Holding::isInAir(const BodyGroup& group, const BodySet& remaining) const {
   const LiaisonGraph* graph = question_.liaisons;
   if (graph == nullptr || graph->liaisons().empty()) return false;
-  const BodySet reached = reachedFromBase(remaining);
+  const BodySet reached = reachedFrom(bodiesIn(question_.staying), remaining);
   return std::none_of(group.begin(), group.end(),
                       [&](std::size_t body) { return isAnyThere(graph->neighboursOf(body), reached); });
 }
 
-/// The bodies of `there` that a chain of contacts and joints between them connects to the base.
-BodySet Holding::reachedFromBase(const BodySet& there) const {
+/// The bodies of `there` that a chain of contacts and joints between them connects to one of `from`.
+BodySet Holding::reachedFrom(const BodyGroup& from, const BodySet& there) const {
   BodySet reached(there.size(), false);
   BodyGroup open;
   const auto reach = [&](std::size_t body) {
@@ -44,13 +44,33 @@ BodySet Holding::reachedFromBase(const BodySet& there) const {
     reached[body] = true;
     open.push_back(body);
   };
-  for (const std::size_t body : bodiesIn(question_.staying)) reach(body);
+  for (const std::size_t body : from) reach(body);
   while (!open.empty()) {
     const std::size_t body = open.back();
     open.pop_back();
     for (const std::size_t other : question_.liaisons->neighboursOf(body)) reach(other);
   }
   return reached;
+}
+
+BodySet Holding::floating(const BodySet& there) const {
+  const BodySet reached = reachedFrom(bodiesIn(question_.staying), there);
+  BodySet floating = there;
+  for (std::size_t body = 0; body < there.size(); ++body) {
+    if (reached[body] || question_.liaisons->neighboursOf(body).empty()) floating[body] = false;
+  }
+  return floating;
+}
+
+std::vector<BodyGroup> Holding::connectedParts(const BodySet& set) const {
+  std::vector<BodyGroup> parts;
+  BodySet open = set;
+  for (std::size_t body = 0; body < set.size(); ++body) {
+    if (!open[body]) continue;
+    parts.push_back(bodiesIn(reachedFrom({body}, open)));
+    open = without(std::move(open), parts.back());
+  }
+  return parts;
 }
 
 std::size_t Holding::unfastened(const BodySet& remaining) const {

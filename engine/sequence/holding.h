@@ -15,6 +15,11 @@ class Holding {
   /// True if no chain of contacts and joints between bodies of `remaining` holds the group to the base. In assembly,
   /// such a group is put into the air. Always false where contacts are not known.
   bool isInAir(const BodyGroup& group, const BodySet& remaining) const;
+  /// The bodies of `there` that touch others or are joined to others, and that no chain of contacts and joints between
+  /// bodies of `there` holds to the base. Precondition: contacts are known.
+  BodySet floating(const BodySet& there) const;
+  /// The bodies of the set, divided into parts that touch each other or are joined; ascending.
+  std::vector<BodyGroup> connectedParts(const BodySet& set) const;
   /// Number of bodies of `remaining` that screws, nuts, threads and pins joined to the base at the beginning, directly
   /// or through others, and no longer do.
   std::size_t unfastened(const BodySet& remaining) const;
@@ -23,7 +28,7 @@ class Holding {
 
  private:
   BodySet joinedToBase(const BodySet& there) const;
-  BodySet reachedFromBase(const BodySet& there) const;
+  BodySet reachedFrom(const BodyGroup& from, const BodySet& there) const;
 
   const SequenceQuestion& question_;
   BodySet initial_;                      ///< bodies that are there at the beginning

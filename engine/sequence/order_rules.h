@@ -30,9 +30,9 @@ inline constexpr EnumNames<JointUse, 3> kJointUseNames{{"off", "recognised", "su
 /// Demands of a person on an assembly plan, and facts about its bodies. Bodies by id, or by the end of ids behind a
 /// "/".
 struct SequenceDemands {
-  std::vector<std::vector<std::string>> together;                ///< bodies that leave as one
-  std::vector<std::pair<std::string, std::string>> before;       ///< the first leaves before the second
-  Vector3 gravity = -Vector3::UnitZ();                           ///< direction of gravity, world frame; any length
+  std::vector<std::vector<std::string>> together;           ///< bodies that leave as one
+  std::vector<std::pair<std::string, std::string>> before;  ///< the first leaves before the second
+  std::optional<Vector3> gravity{};  ///< direction of gravity, world frame; any length; nothing: as the base lies well
   std::vector<std::pair<std::string, double>> densities;         ///< kg/m^3; kUsualDensity for other bodies
   std::vector<std::string> stay{};                               ///< bodies that do not leave
   std::vector<std::pair<std::string, double>> masses{};          ///< kg; by volume and density for other bodies

@@ -77,6 +77,44 @@ std::vector<std::size_t> completed(std::vector<std::size_t> order, CarriedOut do
   return order;
 }
 
+/// The steps that may be the last ones of those that are left: no other one of them has to come after them.
+std::vector<std::size_t> mayComeLast(const CarriedOut& left, const OrderQuestion& question) {
+  std::vector<bool> isNeeded(left.size(), false);
+  for (std::size_t step = 0; step < left.size(); ++step) {
+    if (!left[step]) continue;
+    for (const std::size_t earlier : question.after[step]) isNeeded[earlier] = true;
+  }
+  std::vector<std::size_t> steps;
+  for (std::size_t step = 0; step < left.size(); ++step) {
+    if (left[step] && !isNeeded[step]) steps.push_back(step);
+  }
+  return steps;
+}
+
+/// Builds the order from its end: always the step that costs least together with the step that follows it. It finds
+/// what grows from the base in the order of assembly, which an order that begins with the cheapest removals does not.
+std::vector<std::size_t> completedFromTheEnd(const OrderQuestion& question) {
+  CarriedOut left(question.after.size(), true);
+  std::vector<std::size_t> fromTheEnd;
+  while (fromTheEnd.size() < left.size()) {
+    std::size_t cheapest = left.size();
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::size_t step : mayComeLast(left, question)) {
+      const double ofNext = fromTheEnd.empty() ? 0.0 : question.cost(fromTheEnd.back(), &step, left);
+      left[step] = false;
+      const double cost = ofNext + question.cost(step, nullptr, left);
+      left[step] = true;
+      if (cost >= least) continue;
+      least = cost;
+      cheapest = step;
+    }
+    left[cheapest] = false;
+    fromTheEnd.push_back(cheapest);
+  }
+  std::reverse(fromTheEnd.begin(), fromTheEnd.end());
+  return fromTheEnd;
+}
+
 struct Node {
   double estimate;
   std::size_t number;  ///< nodes with equal estimates are expanded in this order
@@ -101,6 +139,7 @@ class OrderSearch {
       std::iota(best_.begin(), best_.end(), std::size_t{0});
     }
     least_ = costOf(best_, question);
+    if (question.numbers.empty()) takeIfLess(completedFromTheEnd(question));
     mean_ = steps_ == 0 ? 0.0 : least_ / static_cast<double>(steps_);
     open_.push({least_, number_++, 0.0, true, {}, CarriedOut(steps_, false)});
   }
@@ -127,6 +166,13 @@ class OrderSearch {
   }
 
  private:
+  void takeIfLess(std::vector<std::size_t> order) {
+    const double cost = costOf(order, question_);
+    if (cost >= least_) return;
+    least_ = cost;
+    best_ = std::move(order);
+  }
+
   double estimateOf(double cost, std::size_t carriedOut) const {
     return cost + mean_ * static_cast<double>(steps_ - carriedOut);
   }

@@ -27,10 +27,10 @@ struct OrderQuestion {
 };
 
 /// Best-first search over costs. A state consists of the steps carried out and the last one of them. States with the
-/// least cost, plus the mean cost of a step for each missing step, are expanded first. The search begins with the order
-/// that always takes the cheapest step (or with 0, 1, ... if kept numbers make that order impossible), so there is
-/// always a result. Finally runs of steps are moved to other places while that reduces the cost. Precondition: `after`
-/// has no circle.
+/// least cost, plus the mean cost of a step for each missing step, are expanded first. The search begins with the
+/// cheaper of two orders: the one that always takes the cheapest step (or 0, 1, ... if kept numbers make that order
+/// impossible), and the one that is built so from its end. So there is always a result. Finally runs of steps are moved
+/// to other places while that reduces the cost. Precondition: `after` has no circle.
 std::vector<std::size_t> cheapestOrder(const OrderQuestion& question, const StopToken& stop);
 
 double costOf(const std::vector<std::size_t>& order, const OrderQuestion& question);

@@ -5,7 +5,6 @@
 
 #include "engine/fits/joint_edits.h"
 #include "engine/fits/joint_finder.h"
-#include "engine/sequence/base_choice.h"
 #include "engine/sequence/demanding_trial.h"
 #include "engine/sequence/fasteners.h"
 #include "engine/sequence/isolated_bodies.h"
@@ -20,6 +19,7 @@
 #include "engine/sequence/step_tools.h"
 #include "engine/sequence/subassembly_lines.h"
 #include "engine/sequence/thread_demands.h"
+#include "engine/sequence/work_position.h"
 
 namespace glissade {
 namespace {
@@ -71,13 +71,19 @@ Result<Joints> jointsOf(const ProductShapes& shapes, const SequenceRequest& requ
   return threads.withThreads(countingJoints(*joints, use), shapes);
 }
 
-/// The bodies that a person fixes as base; else one that suits.
-BodySet fixedBodies(const AssembledProduct& product, const LiaisonGraph& liaisons, const SequenceRequest& request,
-                    const JointRules& joints, const std::vector<FastenerKind>& fasteners) {
+/// The base and the upward direction, as far as a person does not state them.
+WorkPosition positionOf(const AssembledProduct& product, const LiaisonGraph& liaisons, const SequenceRequest& request,
+                        const JointRules& joints, const std::vector<FastenerKind>& fasteners) {
+  PositionQuestion question{product,        liaisons, joints.joints(), fasteners, BodySet(product.bodies.size(), true),
+                            request.staying};
+  if (request.demands.gravity) question.up = -*request.demands.gravity;
+  return workPosition(question);
+}
+
+/// The bodies that a person fixes as base; else the base that suits.
+BodySet fixedBodies(const SequenceRequest& request, const WorkPosition& position) {
   BodySet fixed = request.staying;
-  if (std::find(fixed.begin(), fixed.end(), true) != fixed.end()) return fixed;
-  const BodySet all(product.bodies.size(), true);
-  fixed[baseOf(product, all, liaisons, joints.joints(), fasteners, request.demands.gravity)] = true;
+  if (std::find(fixed.begin(), fixed.end(), true) == fixed.end()) fixed[position.base] = true;
   return fixed;
 }
 
@@ -115,7 +121,8 @@ Outcome ask(const AssembledProduct& product, const ProductFits& fits, const Sequ
   if (!found) return found.error();
   const JointRules joints(std::move(*found), product, fasteners);
   const LiaisonGraph liaisons(product.bodies.size(), fits.contacts(), joints.joints());
-  const BodySet staying = withJoined(fixedBodies(product, liaisons, request, joints, fasteners), joints.bonded());
+  const WorkPosition position = positionOf(product, liaisons, request, joints, fasteners);
+  const BodySet staying = withJoined(fixedBodies(request, position), joints.bonded());
   joinUnits(joints.bonded(), product, *rules);
   const Outcome places = checkPlaces(product, *rules, staying);
   if (!places) return places.error();
@@ -125,15 +132,15 @@ Outcome ask(const AssembledProduct& product, const ProductFits& fits, const Sequ
   if (!tools) return tools.error();
   for (const OrderRule& rule : fastenerRules(fasteners, fits.contacts())) rules->before.push_back(rule);
   Standing standing(product,
-                    {fits.contacts(), fasteners, staying, densitiesOf(request.demands, product),
-                     request.demands.gravity, massesOf(request.demands, product)},
+                    {fits.contacts(), fasteners, staying, densitiesOf(request.demands, product), -position.up,
+                     massesOf(request.demands, product)},
                     host.team());
   const JointRules* counting = joints.joints().empty() ? nullptr : &joints;
   MotionTrial motions(product, fits, request.seed, MotionTrial::kMostSearches, rules->forbidden, counting, &threads);
   DemandingTrial trial(motions, *rules, product, request.known, counting);
   answer(SequenceQuestion{product, staying, request.seed, trial, resumed, *rules, fasteners, &standing,
                           fragileBodies(product, request.demands), *tools, &*cost, counting, {}, &fits, &liaisons,
-                          isolatedBodies(product, liaisons)});
+                          isolatedBodies(product, liaisons), position.up});
   return Done{};
 }
 

@@ -38,6 +38,7 @@ struct SequenceQuestion {
   const ProductFits* fits = nullptr;       ///< fits that motions rely on; null: not known
   const LiaisonGraph* liaisons = nullptr;  ///< what holds the bodies to each other; null: not known
   BodyGroup isolated{};                    ///< see isolatedBodies(); empty: none, or not known
+  Vector3 up = Vector3::UnitZ();           ///< upward direction of the work place, unit, frame of the product
 
   BodySet initial() const { return there.empty() ? BodySet(product.bodies.size(), true) : there; }
 };

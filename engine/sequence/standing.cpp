@@ -77,6 +77,14 @@ BodyGroup Standing::newlyFalling(const BodySet& present, const BodyGroup& group)
   return newly;
 }
 
+BodyGroup Standing::falling(const BodySet& present) {
+  BodyGroup seeds;
+  for (const std::size_t body : bodiesIn(present)) {
+    if (!bodies_[body].fixed) seeds.push_back(body);
+  }
+  return fallingWith(present, seeds);
+}
+
 /// The falling bodies among all bodies that are connected to one of the seeds; ascending.
 BodyGroup Standing::fallingWith(const BodySet& present, const BodyGroup& seeds) {
   BodySet open = present;

@@ -36,6 +36,8 @@ class Standing {
   /// Bodies that are supported while all of `present` are there, and would tip or fall after the group has left;
   /// ascending.
   BodyGroup newlyFalling(const BodySet& present, const BodyGroup& group);
+  /// Bodies that would tip or fall while all of `present` are there; ascending.
+  BodyGroup falling(const BodySet& present);
   /// Mass of the body, kilograms.
   double massOf(std::size_t body) const { return bodies_[body].weight; }
 

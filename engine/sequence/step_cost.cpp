@@ -15,13 +15,14 @@ struct NamedFigure {
   double (*value)(const StepFigures& figures);
 };
 
-constexpr std::array<NamedFigure, 19> kFigures{{
+constexpr std::array<NamedFigure, 20> kFigures{{
     {"length", [](const StepFigures& figures) { return figures.length; }},
     {"turns", [](const StepFigures& figures) { return figures.turns; }},
     {"direction_change", [](const StepFigures& figures) { return figures.directionChange ? 1.0 : 0.0; }},
     {"turn_over", [](const StepFigures& figures) { return figures.turnOver; }},
     {"tool_change", [](const StepFigures& figures) { return figures.toolChange ? 1.0 : 0.0; }},
     {"falling", [](const StepFigures& figures) { return figures.falling; }},
+    {"unsupported", [](const StepFigures& figures) { return figures.unsupported; }},
     {"bodies", [](const StepFigures& figures) { return figures.bodies; }},
     {"mass", [](const StepFigures& figures) { return figures.mass; }},
     {"fragile", [](const StepFigures& figures) { return figures.fragile ? 1.0 : 0.0; }},
@@ -68,7 +69,8 @@ std::optional<RuleType> typeOfAttribute(const std::string& name, const std::map<
 
 std::vector<StepCostPreset> stepCostPresets() {
   return {{"fitter", GLISSADE_TEXT("As a fitter would"),
-           "30 * in_air + 3 * isolated_left + 20 * tool_blocked + 10 * falling + 2 * unfastened + 4 * open_stacks + 4 "
+           "30 * in_air + 3 * isolated_left + 20 * tool_blocked + 10 * falling + unsupported + 2 * unfastened + 4 * "
+           "open_stacks + 4 "
            "* task_change + 4 * "
            "assembly_change + 2 * tool_change + "
            "4 * turn_over + direction_change + "

@@ -18,7 +18,7 @@ struct StepFigures {
   /// operation: within it nothing changes, and the step after it is compared with the step that opens it.
   bool directionChange = false;
   bool toolChange = false;      ///< the tool differs from that of the step before, or it is the first step
-  double falling = 0.0;         ///< number of bodies that would tip or fall
+  double falling = 0.0;         ///< number of bodies that would tip or fall after the step, and do not before it
   double bodies = 1.0;          ///< number of bodies that leave
   double mass = 0.0;            ///< mass of the bodies that leave, kg
   bool fragile = false;         ///< one of the bodies that leave is fragile
@@ -33,6 +33,7 @@ struct StepFigures {
   double openStacks = 0.0;    ///< number of fastener stacks of which some bodies have left and others remain
   double unfastened = 0.0;    ///< number of remaining bodies that joints no longer join to the base
   double isolatedLeft = 0.0;  ///< number of bodies that touch nothing and leave later
+  double unsupported = 0.0;   ///< number of remaining bodies that would tip or fall after the step
   double turnOver = 0.0;  ///< 1: it ends upwards and the step before downwards, or the reverse; 0.5: one ends sideways
 };
 
@@ -47,9 +48,10 @@ struct StepCostPreset {
 std::vector<StepCostPreset> stepCostPresets();
 
 /// The cost of a step, as an expression that a user can read and change, in the language of the rules of coarse
-/// planning (see Expression). Names: length, turns, direction_change, turn_over, tool_change, falling, bodies, mass,
-/// fragile, tool_blocked, task_change, assembly_change, distance, size, early, in_air, unfastened, open_stacks,
-/// isolated_left, and body.<attribute> of the first body that leaves. Costs that are negative or no number count as 0.
+/// planning (see Expression). Names: length, turns, direction_change, turn_over, tool_change, falling, unsupported,
+/// bodies, mass, fragile, tool_blocked, task_change, assembly_change, distance, size, early, in_air, unfastened,
+/// open_stacks, isolated_left, and body.<attribute> of the first body that leaves. Costs that are negative or no number
+/// count as 0.
 class StepCost {
  public:
   /// `demands.cost`: a preset's id, an expression, or empty. Errors, MalformedInput at /sequence/cost: a syntax error,

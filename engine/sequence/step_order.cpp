@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "engine/sequence/plan_steps.h"
+#include "engine/sequence/proved_steps.h"
 #include "engine/sequence/step_joints.h"
-#include "engine/sequence/step_stacks.h"
 #include "engine/sequence/step_tools.h"
 
 namespace glissade {
@@ -26,73 +26,6 @@ std::vector<BodySet> presentAfter(const std::vector<AssemblyStep>& steps, const 
   }
   return present;
 }
-
-/// True if the proof of the motion covers all present bodies, and the nearest body that it names is one of them.
-bool isStillProved(const StepMotion& motion, const BodySet& proved, const BodySet& present,
-                   const AssembledProduct& product) {
-  for (std::size_t body = 0; body < present.size(); ++body) {
-    if (present[body] && !proved[body]) return false;
-  }
-  return motion.proof.nearest.empty() || present[product.indexOf(motion.proof.nearest)];
-}
-
-/// Carries out steps one after the other.
-class Replay {
- public:
-  Replay(const AssemblyPlan& plan, const SequenceQuestion& question, const StopToken& stop)
-      : plan_(plan),
-        question_(question),
-        stop_(stop),
-        before_(presentAfter(plan.steps, question)),
-        present_(question.initial()) {}
-
-  /// False if a motion of the step is not certified now.
-  bool carryOut(std::size_t index) {
-    AssemblyStep step = plan_.steps[index];
-    step.wave = steps_.size() + 1;
-    step.violates.clear();
-    BodyGroup earlier;
-    for (StepMotion& motion : step.motions) {
-      const BodyGroup group = groupOf(motion, question_.product);
-      if (!certify(motion, group, without(before_[motion.proof.afterSteps], earlier))) return false;
-      BodyGroup falling;
-      if (question_.standing != nullptr) falling = question_.standing->newlyFalling(present_, group);
-      motion.falling = idsOf(falling, question_.product);
-      number_ += continuesStack(group, last_, question_.joints) ? 0 : 1;
-      last_ = group;
-      if (question_.rules.placeOf(group) != 0) {
-        const auto violations = violationsOf(group, present_, falling, number_, question_);
-        step.violates.insert(step.violates.end(), violations.begin(), violations.end());
-      }
-      present_ = without(std::move(present_), group);
-      earlier.insert(earlier.end(), group.begin(), group.end());
-    }
-    steps_.push_back(std::move(step));
-    return true;
-  }
-
-  std::vector<AssemblyStep> steps() && { return std::move(steps_); }
-
- private:
-  bool certify(StepMotion& motion, const BodyGroup& group, const BodySet& proved) const {
-    if (motion.certified && !isStillProved(motion, proved, present_, question_.product)) {
-      const auto removed = question_.trial.certified(group, motion.path, motion.method, present_, stop_);
-      if (!removed) return false;
-      motion.proof = makeMotion(group, *removed, question_, present_, steps_.size()).proof;
-    }
-    motion.proof.afterSteps = steps_.size();
-    return !motion.certified || endsOutside(motion, without(present_, group), question_.product);
-  }
-
-  const AssemblyPlan& plan_;
-  const SequenceQuestion& question_;
-  const StopToken& stop_;
-  std::vector<BodySet> before_;  ///< bodies that are there after n steps of the plan
-  BodySet present_;
-  std::vector<AssemblyStep> steps_;
-  BodyGroup last_;
-  std::size_t number_ = 0;  ///< of the last step, as a person counts steps
-};
 
 /// For each step, its place in the order.
 std::vector<std::size_t> placesIn(const std::vector<std::size_t>& order) {
@@ -181,6 +114,18 @@ class OrderReasons {
   const StopToken& stop_;
 };
 
+/// Why the motion of a step is not certified at its new place.
+OrderConflict conflictOf(std::size_t refused, const std::vector<std::size_t>& places, const AssemblyPlan& plan,
+                         const SequenceQuestion& question, const StopToken& stop) {
+  const OrderReasons reasons(plan, question, stop);
+  for (std::size_t other = 0; other < refused; ++other) {
+    if (places[other] < places[refused]) continue;
+    if (Message reason = reasons.of(other, refused); !reason.empty()) return {other, refused, reason};
+  }
+  const BodyGroup group = groupOf(plan.steps[refused].motions.front(), question.product);
+  return {refused, refused, {GLISSADE_TEXT("the motion of '%1' is not certified there"), {reasons.name(group.front())}}};
+}
+
 /// Sets what depends on the bodies that are there, for the steps from `begin` to before `end`.
 void describe(AssemblyPlan& plan, std::size_t begin, std::size_t end, const SequenceQuestion& question,
               const StopToken& stop) {
@@ -228,16 +173,6 @@ void lengthenIn(AssemblyPlan& plan, const std::vector<std::size_t>& order, const
 
 }  // namespace
 
-bool endsOutside(const StepMotion& motion, const BodySet& others, const AssembledProduct& product) {
-  const Box3 room = boxOf(product, others);
-  const Pose moved = motion.path.back().q * inverse(motion.path.front().q);
-  const BodyGroup group = groupOf(motion, product);
-  return room.isEmpty() || std::none_of(group.begin(), group.end(), [&](std::size_t body) {
-           const RigidBody& own = product.bodies[body];
-           return room.intersects(boundingBox(*own.mesh, moved * own.X_WB));
-         });
-}
-
 bool lengthen(StepMotion& motion, const BodySet& others, const AssembledProduct& product) {
   if (motion.path.size() < 2) return false;
   const Box3 room = boxOf(product, others);
@@ -261,22 +196,6 @@ bool lengthen(StepMotion& motion, const BodySet& others, const AssembledProduct&
   return true;
 }
 
-std::variant<std::vector<AssemblyStep>, std::size_t> inOrder(const AssemblyPlan& plan,
-                                                             const std::vector<std::size_t>& order,
-                                                             const SequenceQuestion& question, const StopToken& stop) {
-  Replay replay(plan, question, stop);
-  for (const std::size_t step : order) {
-    if (!replay.carryOut(step)) return step;
-  }
-  std::vector<AssemblyStep> steps = std::move(replay).steps();
-  const std::vector<std::size_t> places = placesIn(order);
-  for (AssemblyStep& step : steps) {
-    for (std::size_t& number : step.after) number = places[number - 1] + 1;
-    std::sort(step.after.begin(), step.after.end());
-  }
-  return steps;
-}
-
 std::variant<AssemblyPlan, OrderConflict> withOrder(AssemblyPlan plan, const std::vector<std::size_t>& order,
                                                     const SequenceQuestion& question, SequenceHost& host) {
   const StopToken& stop = host.stopToken();
@@ -297,18 +216,10 @@ std::variant<AssemblyPlan, OrderConflict> withOrder(AssemblyPlan plan, const std
     }
   }
   lengthenIn(plan, order, question);
-  auto steps = inOrder(plan, order, question, stop);
-  if (const auto* refused = std::get_if<std::size_t>(&steps)) {
-    const OrderReasons reasons(plan, question, stop);
-    for (std::size_t other = 0; other < order.size(); ++other) {
-      if (other >= *refused || places[other] < places[*refused]) continue;
-      if (Message reason = reasons.of(other, *refused); !reason.empty()) return OrderConflict{other, *refused, reason};
-    }
-    const BodyGroup group = groupOf(plan.steps[*refused].motions.front(), question.product);
-    return OrderConflict{
-        *refused, *refused, {GLISSADE_TEXT("the motion of '%1' is not certified there"), {reasons.name(group.front())}}};
-  }
-  plan.steps = std::get<std::vector<AssemblyStep>>(std::move(steps));
+  std::size_t refusedAt = 0;
+  auto steps = certifiedInOrder(provedSteps(plan, order, question), question, stop, &refusedAt);
+  if (!steps) return conflictOf(order[refusedAt], places, plan, question, stop);
+  plan.steps = std::move(*steps);
   for (SubassemblyLine& line : plan.lines) line.step = places[line.step - 1] + 1;
   std::sort(plan.lines.begin(), plan.lines.end(), [](const auto& a, const auto& b) { return a.step < b.step; });
   std::size_t begin = 0;

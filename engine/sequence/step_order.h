@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <variant>
 #include <vector>
 
@@ -10,16 +9,8 @@ namespace glissade {
 
 // Steps of a plan in another order, with the motions that they have. An order lists the indices of the steps.
 
-/// True if the motion ends outside of the box of the bodies of `others`, as every removal does.
-bool endsOutside(const StepMotion& motion, const BodySet& others, const AssembledProduct& product);
 /// Lengthens the path along its last displacement until it ends outside of the box of `others`. True if it has changed.
 bool lengthen(StepMotion& motion, const BodySet& others, const AssembledProduct& product);
-
-/// The steps in this order, each certified against the bodies that are there then, or the index of the first step that
-/// is not certified there.
-std::variant<std::vector<AssemblyStep>, std::size_t> inOrder(const AssemblyPlan& plan,
-                                                             const std::vector<std::size_t>& order,
-                                                             const SequenceQuestion& question, const StopToken& stop);
 
 /// Two steps of a plan that cannot change their order.
 struct OrderConflict {

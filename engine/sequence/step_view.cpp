@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/geometry/least_rotation.h"
 #include "engine/sequence/plan_bodies.h"
 #include "engine/sequence/step_motion.h"
 
@@ -11,12 +12,14 @@ namespace {
 
 /// Direction to the first corner: front, left, above.
 const Vector3 kFirstCorner(-1.0, -1.2, 0.9);
-/// Factors of the scores of other viewpoints, by the effort of turning the product.
+/// Factors of the scores of other viewpoints, by the effort of turning the product, and of lying upside down.
 constexpr double kQuarterTurn = 0.9;
 constexpr double kHalfTurn = 0.85;
 constexpr double kTurnOver = 0.8;
-/// The viewpoint is kept if its score is at least this share of the best one.
+/// The viewpoint is kept if its score is at least this share of the best one. A product that is turned over goes back
+/// on its base sooner.
 constexpr double kGoodEnough = 0.6;
+constexpr double kGoodEnoughTurnedOver = 0.9;
 /// Number of surface points that are tested for visibility.
 constexpr std::size_t kSamples = 160;
 /// Weight of a motion that is seen from the side.
@@ -56,10 +59,11 @@ std::vector<SurfacePoint> surfacePoints(const RigidBody& body) {
 Vector3 Viewpoint::toEye() const {
   const double angle = 0.5 * std::acos(-1.0) * quarter;
   const Vector3 corner = Eigen::AngleAxisd(angle, Vector3::UnitZ()) * kFirstCorner.normalized();
-  return turnedOver ? Vector3(-corner) : corner;
+  const Vector3 eye = leastRotation(Vector3::UnitZ(), workUp) * corner;
+  return turnedOver ? Vector3(-eye) : eye;
 }
 
-Vector3 Viewpoint::up() const { return turnedOver ? Vector3(-Vector3::UnitZ()) : Vector3::UnitZ(); }
+Vector3 Viewpoint::up() const { return turnedOver ? Vector3(-workUp) : workUp; }
 
 const TriangleTree& StepView::treeOf(std::size_t body) {
   auto& tree = trees_[product_.bodies[body].mesh];
@@ -125,21 +129,21 @@ double StepView::score(const std::vector<AssemblyStep>& steps, const BodySet& pr
 }
 
 Viewpoint StepView::choose(const std::vector<AssemblyStep>& steps, const BodySet& present, const Viewpoint& before) {
-  const double kept = score(steps, present, before);
+  const double kept = (before.turnedOver ? kTurnOver : 1.0) * score(steps, present, before);
   Viewpoint chosen = before;
   double best = kept;
   for (const int quarters : {0, 1, 3, 2}) {
     for (const bool over : {false, true}) {
-      const Viewpoint other{(before.quarter + quarters) % 4, before.turnedOver != over};
+      const Viewpoint other{(before.quarter + quarters) % 4, before.turnedOver != over, before.workUp};
       if (other == before) continue;
       const double turning = quarters == 0 ? 1.0 : quarters == 2 ? kHalfTurn : kQuarterTurn;
-      const double value = turning * (over ? kTurnOver : 1.0) * score(steps, present, other);
+      const double value = turning * (other.turnedOver ? kTurnOver : 1.0) * score(steps, present, other);
       if (value <= best) continue;
       best = value;
       chosen = other;
     }
   }
-  return kept >= kGoodEnough * best ? before : chosen;
+  return kept >= (before.turnedOver ? kGoodEnoughTurnedOver : kGoodEnough) * best ? before : chosen;
 }
 
 }  // namespace glissade

@@ -12,12 +12,13 @@ namespace glissade {
 
 /// A direction of view on a product: from one of eight corners. For a product that is turned over, its underside is up.
 struct Viewpoint {
-  int quarter = 0;  ///< quarter turns of the eye about +z, from 0 to 3
+  int quarter = 0;  ///< quarter turns of the eye about `workUp`, from 0 to 3
   bool turnedOver = false;
+  Vector3 workUp = Vector3::UnitZ();  ///< AssemblyPlan::up
 
-  /// Unit direction from the product to the eye, world frame.
+  /// Unit direction from the product to the eye, frame of the product.
   Vector3 toEye() const;
-  /// Upward direction of the picture, world frame; not perpendicular to toEye().
+  /// Upward direction of the picture, frame of the product; not perpendicular to toEye().
   Vector3 up() const;
 
   bool operator==(const Viewpoint&) const = default;

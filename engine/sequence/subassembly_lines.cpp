@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "engine/sequence/base_choice.h"
 #include "engine/sequence/best_first_strategy.h"
 #include "engine/sequence/forwarding_trial.h"
 #include "engine/sequence/plan_steps.h"
 #include "engine/sequence/step_joints.h"
 #include "engine/sequence/step_stacks.h"
 #include "engine/sequence/step_tools.h"
+#include "engine/sequence/work_position.h"
 
 namespace glissade {
 namespace {
@@ -46,12 +46,12 @@ BodyGroup unitIn(std::size_t body, const JointRules* joints) {
   return {body};
 }
 
-/// The base of a group, which a worker may hold in any pose.
-std::size_t baseIn(const BodySet& there, const SequenceQuestion& question) {
+/// The base of a group, and how the group lies on the bench.
+WorkPosition positionIn(const BodySet& there, const SequenceQuestion& question) {
   const Joints none;
   const Joints& joints = question.joints == nullptr ? none : question.joints->joints();
   const auto by = [&](const LiaisonGraph& liaisons) {
-    return baseOf(question.product, there, liaisons, joints, question.fasteners, Vector3::Zero());
+    return workPosition({question.product, liaisons, joints, question.fasteners, there});
   };
   return question.liaisons != nullptr ? by(*question.liaisons) : by(LiaisonGraph(there.size(), {}, joints));
 }
@@ -74,7 +74,8 @@ SequenceQuestion questionOf(const BodyGroup& group, const SequenceQuestion& ques
   BodySet there(question.product.bodies.size(), false);
   BodySet staying = there;
   for (const std::size_t body : group) there[body] = true;
-  for (const std::size_t body : unitIn(baseIn(there, question), question.joints)) staying[body] = true;
+  const WorkPosition position = positionIn(there, question);
+  for (const std::size_t body : unitIn(position.base, question.joints)) staying[body] = true;
   return {question.product,
           staying,
           question.seed,
@@ -89,7 +90,9 @@ SequenceQuestion questionOf(const BodyGroup& group, const SequenceQuestion& ques
           question.joints,
           there,
           question.fits,
-          question.liaisons};
+          question.liaisons,
+          {},
+          position.up};
 }
 
 SubassemblyLine lineOf(const BodyGroup& group, const SequenceQuestion& question, RemovalTrial& trial,
@@ -123,6 +126,7 @@ SubassemblyLine lineOf(const BodyGroup& group, const SequenceQuestion& question,
   SubassemblyLine line;
   line.bodies = idsOf(group, question.product);
   line.staying = std::move(plan.staying);
+  line.up = own.up;
   line.lines = std::move(plan.lines);
   line.steps = std::move(plan.steps);
   line.stuck = std::move(plan.stuck);

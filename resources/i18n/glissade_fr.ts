@@ -11823,6 +11823,18 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
         <source>the motion of &apos;%1&apos; is not certified there</source>
         <translation>le mouvement de «&#xa0;%1&#xa0;» n&apos;y est pas certifié</translation>
     </message>
+    <message>
+        <source>up, in the file: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold %1 until step %2 is done.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Then let go of %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>QPlatformTheme</name>

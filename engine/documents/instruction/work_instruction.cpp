@@ -58,7 +58,7 @@ class Instructor {
     for (const BodyId& id : made_.bodies) {
       if (leaving.count(id) == 0) base.push_back(id);
     }
-    addLine(plan_.steps, plan_.lines, base, {});
+    addLine(plan_.steps, plan_.lines, base, plan_.up, {});
     return std::move(made_);
   }
 
@@ -117,15 +117,17 @@ class Instructor {
 
   /// Adds the steps of the product, or of a group. `group`: number of the step that brings the group.
   void addLine(const std::vector<AssemblyStep>& steps, const std::vector<SubassemblyLine>& lines, const Ids& base,
-               const std::string& group) {
+               const Vector3& up, const std::string& group) {
     Ids present = base;
-    Viewpoint view;
-    addStart(base, group);
-    for (const TaskRange& range : taskRanges(steps, made_.parts)) {
+    Viewpoint view{0, false, up};
+    addStart(base, view, group);
+    const std::vector<TaskRange> ranges = taskRanges(steps, made_.parts);
+    const PlaceById standsFrom = placesOfSupport(steps);
+    for (const TaskRange& range : ranges) {
       if (watch_.stop.stopRequested()) return;
       const SubassemblyLine* line = lineOf(lines, steps.size() - range.place);
       const std::string number = taskNumber(range, group);
-      if (line != nullptr) addLine(line->steps, line->lines, baseOf(*line), number);
+      if (line != nullptr) addLine(line->steps, line->lines, baseOf(*line), line->up, number);
       InstructionPanel panel;
       panel.number = number;
       panel.subassembly = group;
@@ -134,6 +136,7 @@ class Instructor {
       }
       panel.present = present;
       describe(panel, line != nullptr);
+      addHolding(panel, range, ranges, standsFrom, base);
       look(panel, view);
       if (panel.view.turnedOver != view.turnedOver) warnOfLoose(panel, steps, range.place);
       for (const AssemblyStep& step : panel.steps) append(step.bodies(), present);
@@ -141,6 +144,56 @@ class Instructor {
       made_.panels.push_back(std::move(panel));
       watch_.report(static_cast<double>(range.place + range.count) / static_cast<double>(steps.size()));
     }
+  }
+
+  using PlaceById = std::map<BodyId, std::size_t>;
+
+  /// For each body that does not stand by itself when it is brought: the place in the order of assembly of the step
+  /// that supports it.
+  static PlaceById placesOfSupport(const std::vector<AssemblyStep>& steps) {
+    PlaceById places;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      for (const BodyId& id : steps[i].falling()) places.try_emplace(id, steps.size() - 1 - i);
+    }
+    return places;
+  }
+
+  /// States which parts are held by hand: those of the panel until the panel of a later step is done, and those that
+  /// this panel supports.
+  void addHolding(InstructionPanel& panel, const TaskRange& own, const std::vector<TaskRange>& ranges,
+                  const PlaceById& standsFrom, const Ids& base) {
+    for (const TaskRange& later : ranges) {
+      if (later.place <= own.place) continue;
+      Ids held;
+      for (const AssemblyStep& step : panel.steps) {
+        for (const BodyId& id : step.bodies()) {
+          const auto place = standsFrom.find(id);
+          if (place != standsFrom.end() && contains(later, place->second)) held.push_back(id);
+        }
+      }
+      note(panel, GLISSADE_TEXT("Hold %1 until step %2 is done."), held, taskNumber(later, panel.subassembly));
+    }
+    Ids brought;
+    Ids others;
+    std::set<BodyId> said;
+    for (const AssemblyStep& step : panel.steps) {
+      for (const BodyId& id : step.falling()) {
+        if (!said.insert(id).second) continue;
+        const bool isOfBase = std::find(base.begin(), base.end(), id) != base.end();
+        const bool isThere = std::find(panel.present.begin(), panel.present.end(), id) != panel.present.end();
+        (isThere && !isOfBase ? brought : others).push_back(id);
+      }
+    }
+    note(panel, GLISSADE_TEXT("Needs support: %1"), others);
+    note(panel, GLISSADE_TEXT("Then let go of %1."), brought);
+  }
+
+  void note(InstructionPanel& panel, CatalogueText text, const Ids& parts, const std::string& number = {}) {
+    if (!parts.empty()) panel.notes.push_back(say(text, {supported(parts), number}));
+  }
+
+  static bool contains(const TaskRange& range, std::size_t place) {
+    return place >= range.place && place < range.place + range.count;
   }
 
   static void append(const Ids& more, Ids& ids) { ids.insert(ids.end(), more.begin(), more.end()); }
@@ -159,8 +212,9 @@ class Instructor {
     return base;
   }
 
-  void addStart(const Ids& base, const std::string& group) {
+  void addStart(const Ids& base, const Viewpoint& view, const std::string& group) {
     InstructionPanel panel;
+    panel.view = view;
     panel.subassembly = group;
     panel.present = base;
     panel.fetched = fetched(base);
@@ -234,10 +288,6 @@ class Instructor {
                 : say(GLISSADE_TEXT("Hold %1 (%2)."), {held, with});
         if (said.insert(note).second) panel.notes.push_back(note);
       }
-      const Ids falling = step.falling();
-      if (falling.empty()) continue;
-      const std::string note = say(GLISSADE_TEXT("Needs support: %1"), {supported(falling)});
-      if (said.insert(note).second) panel.notes.push_back(note);
     }
   }
 

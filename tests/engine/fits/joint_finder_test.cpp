@@ -552,21 +552,23 @@ std::vector<std::vector<std::size_t>> unitsOf(const AssembledProduct& product, J
   return units;
 }
 
-/// Connectors with pins in the board and beside each other. The housing and the cable are not on the board.
+/// Connectors with pins in the board and beside each other, and a jack that is drawn 0.1 mm above the board. The
+/// housing and the aerial are not on the board.
 TEST(JointFinder, ACircuitBoardAndWhatIsOnItAreAUnit) {
-  const auto boardOf = [](const std::string& assembly, double thickness) {
+  const auto boardOf = [](const std::string& assembly, double thickness, JointState state) {
     ProductOfParts parts;
     parts.add("housing", makeBox({0.2, 0.1, 0.01}), Pose::translation({0.0, 0.0, -0.01}))
         .add(assembly + "/base station", makeBox({0.08, 0.05, thickness}))
         .add(assembly + "/header/pins", makeBox({0.02, 0.002, 0.01}), Pose::translation({0.01, 0.0, 0.002}))
         .add(assembly + "/header/socket", makeBox({0.02, 0.004, 0.004}), Pose::translation({0.01, 0.0, 0.006}))
-        .add(assembly + "/jack", makeBox({0.01, 0.01, 0.01}), Pose::translation({-0.02, 0.0, 0.5 * thickness + 0.005}))
+        .add(assembly + "/jack", makeBox({0.01, 0.01, 0.01}), Pose::translation({-0.02, 0.0, 0.5 * thickness + 0.0051}))
         .add(assembly + "/aerial", makeBox({0.01, 0.01, 0.05}), Pose::translation({-0.02, 0.04, 0.04}));
-    return unitsOf(parts.product(), JointState::Suggested);
+    return unitsOf(parts.product(), state);
   };
-  EXPECT_EQ(boardOf("main PCB", 0.0016), (std::vector<std::vector<std::size_t>>{{1, 2, 3, 4}}));
-  EXPECT_TRUE(boardOf("base", 0.0016).empty()) << "the name says nothing";
-  EXPECT_EQ(boardOf("main PCB", 0.02), (std::vector<std::vector<std::size_t>>{{1, 2, 3, 4, 5}})) << "a block";
+  EXPECT_EQ(boardOf("main PCB", 0.0016, JointState::Recognised), (std::vector<std::vector<std::size_t>>{{1, 2, 3, 4}}));
+  EXPECT_TRUE(boardOf("base", 0.0016, JointState::Recognised).empty()) << "the name says nothing";
+  EXPECT_EQ(boardOf("main PCB", 0.02, JointState::Suggested), (std::vector<std::vector<std::size_t>>{{1, 2, 3, 4, 5}}))
+      << "a block";
 }
 
 TEST(JointFinder, AnArticleOfASupplierIsAUnit) {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "engine/sequence/base_choice.h"
 #include "engine/sequence/isolated_bodies.h"
 #include "engine/sequence/sequence_run.h"
+#include "engine/sequence/work_position.h"
 #include "tests/engine/sequence/products.h"
 
 namespace glissade {
@@ -39,7 +39,7 @@ TEST(IsolatedBodies, AreNoBaseEvenIfAllOthersAreFasteners) {
   EXPECT_EQ(isolatedBodies(product, graph), BodyGroup{2});
   std::vector<FastenerKind> kinds(4, FastenerKind::Washer);
   kinds[2] = FastenerKind::None;
-  EXPECT_EQ(baseOf(product, BodySet(4, true), graph, {}, kinds, -Vector3::UnitZ()), 1U);
+  EXPECT_EQ(workPosition({product, graph, {}, kinds, BodySet(4, true)}).base, 1U);
 }
 
 TEST(IsolatedBodies, AreNotKnownWithoutContacts) {

@@ -58,6 +58,24 @@ TEST(StepView, TheProductIsTurnedOverWhereOnlyThatShowsThePart) {
   EXPECT_LT(from.up().z(), 0.0);
 }
 
+TEST(StepView, ATurnedProductGoesBackOnItsBaseWhereThePartIsSeenSo) {
+  const AssembledProduct product = behindAWall(-1.0);
+  EXPECT_EQ(chosen(product, Vector3::UnitX(), BodySet(2, true), {0, true}).turnedOver, false);
+  const Viewpoint upright{0, false};
+  EXPECT_EQ(chosen(product, Vector3::UnitX(), BodySet(2, true), upright), upright);
+}
+
+TEST(StepView, ViewsTurnAboutTheUpwardDirectionOfTheWork) {
+  for (const Vector3& up : {Vector3(0.0, 1.0, 0.0), Vector3(-1.0, 0.0, 0.0), Vector3(0.6, 0.0, 0.8)}) {
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      const Viewpoint from{quarter, false, up};
+      EXPECT_NEAR(from.toEye().dot(up), Viewpoint{quarter}.toEye().z(), 1e-12) << "the eye is as high above the bench";
+      EXPECT_TRUE(from.up().isApprox(up));
+      EXPECT_NEAR((Viewpoint{quarter, true, up}).up().dot(up), -1.0, 1e-12);
+    }
+  }
+}
+
 TEST(StepView, TheEyeGoesToWhereThePartIsSeenAndStaysWhereItIs) {
   const AssembledProduct product =
       test::productOf({boxBody("plate", {20.0, 20.0, 0.1}, Pose::identity()),
