@@ -11825,15 +11825,15 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     </message>
     <message>
         <source>up, in the file: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>haut, dans le fichier&#xa0;: %1</translation>
     </message>
     <message>
         <source>Hold %1 until step %2 is done.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tenir %1 jusqu&apos;à la fin de l&apos;étape %2.</translation>
     </message>
     <message>
         <source>Then let go of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lâcher ensuite %1.</translation>
     </message>
 </context>
 <context>
