@@ -48,9 +48,9 @@ std::vector<std::size_t> movedOrder(std::size_t to, std::size_t from, const std:
 std::vector<bool> lockedSteps(const std::vector<std::vector<std::string>>& steps,
                               const std::vector<DemandedPlace>& places);
 
-/// The places after a person has moved a step, see movedOrder(). `steps`: the ids of the bodies of each step of the plan. The step `from` gets the place of `to`, or the
-/// next place if a locked step is there. Indices from 0. Returns the moved step and the steps of `places`, ascending by
-/// place.
+/// The places after a person has moved a step, see movedOrder(). `steps`: the ids of the bodies of each step of the
+/// plan. The step `from` gets the place of `to`, or the next place if a locked step is there. Indices from 0. Returns
+/// the moved step and the steps of `places`, ascending by place.
 std::vector<DemandedPlace> movedTo(std::size_t to, std::size_t from, const std::vector<std::vector<std::string>>& steps,
                                    const std::vector<DemandedPlace>& places);
 

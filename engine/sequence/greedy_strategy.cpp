@@ -540,8 +540,7 @@ class GreedySearch {
     const auto refusedThere = notAtPlace_.find(unit);
     if (refusedThere != notAtPlace_.end()) {
       const Refusal& refusal = refusedThere->second;
-      plan_.stuck.push_back({idOf(body),
-                             idsOf(refusal.blockedBy),
+      plan_.stuck.push_back({idOf(body), idsOf(refusal.blockedBy),
                              GLISSADE_TEXT("no motion was found at the place that a constraint gives it")});
       return;
     }

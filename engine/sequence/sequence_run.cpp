@@ -138,9 +138,23 @@ Outcome ask(const AssembledProduct& product, const ProductFits& fits, const Sequ
   const JointRules* counting = joints.joints().empty() ? nullptr : &joints;
   MotionTrial motions(product, fits, request.seed, MotionTrial::kMostSearches, rules->forbidden, counting, &threads);
   DemandingTrial trial(motions, *rules, product, request.known, counting);
-  answer(SequenceQuestion{product, staying, request.seed, trial, resumed, *rules, fasteners, &standing,
-                          fragileBodies(product, request.demands), *tools, &*cost, counting, {}, &fits, &liaisons,
-                          isolatedBodies(product, liaisons), position.up});
+  answer(SequenceQuestion{product,
+                          staying,
+                          request.seed,
+                          trial,
+                          resumed,
+                          *rules,
+                          fasteners,
+                          &standing,
+                          fragileBodies(product, request.demands),
+                          *tools,
+                          &*cost,
+                          counting,
+                          {},
+                          &fits,
+                          &liaisons,
+                          isolatedBodies(product, liaisons),
+                          position.up});
   return Done{};
 }
 
@@ -185,8 +199,7 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
 }
 
 Result<std::variant<AssemblyPlan, OrderConflict>> planWithOrder(const AssembledProduct& product,
-                                                                const ProductFits& fits,
-                                                                const SequenceRequest& request,
+                                                                const ProductFits& fits, const SequenceRequest& request,
                                                                 const std::vector<std::size_t>& order,
                                                                 SequenceHost& host) {
   std::variant<AssemblyPlan, OrderConflict> answer;
@@ -195,7 +208,8 @@ Result<std::variant<AssemblyPlan, OrderConflict>> planWithOrder(const AssembledP
     if (auto* plan = std::get_if<AssemblyPlan>(&answer)) addDemands(*plan, request, question);
   });
   if (!asked) return asked.error();
-  if (host.stopToken().stopRequested()) return Diagnostic{ErrorKind::Interrupted, "", "", GLISSADE_TEXT("the operation was stopped"), {}};
+  if (host.stopToken().stopRequested())
+    return Diagnostic{ErrorKind::Interrupted, "", "", GLISSADE_TEXT("the operation was stopped"), {}};
   return answer;
 }
 

@@ -38,8 +38,7 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
 /// The plan with its steps in another order, see withOrder(). `request.resumed`: the plan; `request.demands`: those
 /// with the new places. Errors as planSequence(), and Interrupted after a stop.
 Result<std::variant<AssemblyPlan, OrderConflict>> planWithOrder(const AssembledProduct& product,
-                                                                const ProductFits& fits,
-                                                                const SequenceRequest& request,
+                                                                const ProductFits& fits, const SequenceRequest& request,
                                                                 const std::vector<std::size_t>& order,
                                                                 SequenceHost& host);
 

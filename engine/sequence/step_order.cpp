@@ -63,7 +63,8 @@ class OrderReasons {
     for (const OrderRule& rule : question_.rules.before) {
       if (!isIn(rule.first, before) || !isIn(rule.then, after)) continue;
       if (rule.demanded) {
-        return {GLISSADE_TEXT("a constraint states that '%1' is removed before '%2'"), {name(rule.first), name(rule.then)}};
+        return {GLISSADE_TEXT("a constraint states that '%1' is removed before '%2'"),
+                {name(rule.first), name(rule.then)}};
       }
       return {GLISSADE_TEXT("'%1' is on '%2'"), {name(rule.first), name(rule.then)}};
     }
@@ -123,7 +124,8 @@ OrderConflict conflictOf(std::size_t refused, const std::vector<std::size_t>& pl
     if (Message reason = reasons.of(other, refused); !reason.empty()) return {other, refused, reason};
   }
   const BodyGroup group = groupOf(plan.steps[refused].motions.front(), question.product);
-  return {refused, refused, {GLISSADE_TEXT("the motion of '%1' is not certified there"), {reasons.name(group.front())}}};
+  return {
+      refused, refused, {GLISSADE_TEXT("the motion of '%1' is not certified there"), {reasons.name(group.front())}}};
 }
 
 /// Sets what depends on the bodies that are there, for the steps from `begin` to before `end`.

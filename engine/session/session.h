@@ -32,7 +32,7 @@ struct Start {
   /// In real time, planning begins with the first motion of the hand, unless nobody holds the object or the computer's
   /// share is all.
   bool withHand = false;
-};  ///< from Idle, Stopped, Solved, Failed: a fresh roadmap with the current seed
+};                ///< from Idle, Stopped, Solved, Failed: a fresh roadmap with the current seed
 struct Pause {};  ///< neither the planner nor the object in the operator's hand goes on until Resume
 struct Resume {};
 struct Stop {};
@@ -93,7 +93,7 @@ struct SessionSnapshot {
   Author authority = Author::Computer;
   bool contactMode = false;
   bool waitsForHand = false;  ///< planning begins with the first motion of the hand
-  OperatorSample device;  ///< q_device and its nearest obstacle
+  OperatorSample device;      ///< q_device and its nearest obstacle
   bool deviceConnected = true;
   RoadmapChunks roadmap;
   PerAuthor<std::uint64_t> nodesByAuthor{};

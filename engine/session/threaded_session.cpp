@@ -286,8 +286,9 @@ class Threaded final : public Session {
       run = run_;
       restart = run != operatorRun_;
       const bool runEnded = planning_.run > 0 && !isRunning(planning_);
-      sight = {chunks_, planning_.parameters, planning_.path, planning_.coarsePlan, runEnded,
-               planning_.state == SessionState::Paused};
+      sight = {chunks_,        planning_.parameters,
+               planning_.path, planning_.coarsePlan,
+               runEnded,       planning_.state == SessionState::Paused};
     }
     moveHand(dt, frame, put, restart, sight);
     publishOperator(run);

@@ -203,8 +203,8 @@ void SequencePlanner::reorder(const OrderJob& job, bool atOnce) {
   task_.start(
       GLISSADE_TEXT("changing the order of the steps"),
       [this, job, finder = finder_, stop = stop_.token()](const WorkWatch&) -> BackgroundTask::Delivery {
-        const auto found = std::make_shared<Result<std::variant<AssemblyPlan, OrderConflict>>>(
-            orderOf(job, *finder, stop));
+        const auto found =
+            std::make_shared<Result<std::variant<AssemblyPlan, OrderConflict>>>(orderOf(job, *finder, stop));
         return [this, found] {
           planning_ = false;
           if (!*found) {

@@ -97,7 +97,7 @@ class AssistController final : public QObject {
   double nextOffer_ = 0.0;  ///< seconds of planning
   StoppedObject stopped_;
   QElapsedTimer clock_;
-  QTimer lead_;             ///< leads the hand at the next timeout, so that people can read the hint
+  QTimer lead_;  ///< leads the hand at the next timeout, so that people can read the hint
 };
 
 }  // namespace glissade

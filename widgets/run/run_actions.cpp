@@ -44,8 +44,9 @@ std::vector<ActionSpec> runActions() {
       {.id = "run.start",
        .text = QT_TRANSLATE_NOOP("Actions", "&Find path"),
        .key = "F5",
-       .tip = QT_TRANSLATE_NOOP("Actions", "Plan with a fresh roadmap and the current seed; a run that your hand leads "
-                                          "begins with its first motion"),
+       .tip = QT_TRANSLATE_NOOP("Actions",
+                                "Plan with a fresh roadmap and the current seed; a run that your hand leads "
+                                "begins with its first motion"),
        .place = {"menu.plan", 1, 10},
        .help =
            QT_TRANSLATE_NOOP("ActionHelp",
@@ -76,8 +77,9 @@ std::vector<ActionSpec> runActions() {
       {.id = "run.restart",
        .text = QT_TRANSLATE_NOOP("Actions", "&Restart the run"),
        .key = "Ctrl+R",
-       .tip = QT_TRANSLATE_NOOP("Actions", "Go back to the start pose and find the path again with the same seed; a run "
-                                          "that your hand leads begins with its first motion"),
+       .tip = QT_TRANSLATE_NOOP("Actions",
+                                "Go back to the start pose and find the path again with the same seed; a run "
+                                "that your hand leads begins with its first motion"),
        .place = {"menu.plan", 1, 40}},
       {.id = "run.restart-new-seed",
        .text = QT_TRANSLATE_NOOP("Actions", "Restart with a &new seed"),

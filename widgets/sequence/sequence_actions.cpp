@@ -130,14 +130,14 @@ std::vector<ActionSpec> sequenceActions() {
       {.id = "sequence.step-up",
        .text = QT_TRANSLATE_NOOP("Actions", "Move the step &up"),
        .key = "Alt+Up",
-       .tip = QT_TRANSLATE_NOOP("Actions",
-                                "Move the selected step of the sequence one row up if the motions stay free"),
+       .tip =
+           QT_TRANSLATE_NOOP("Actions", "Move the selected step of the sequence one row up if the motions stay free"),
        .place = {"menu.step", 1, 10}},
       {.id = "sequence.step-down",
        .text = QT_TRANSLATE_NOOP("Actions", "Move the step d&own"),
        .key = "Alt+Down",
-       .tip = QT_TRANSLATE_NOOP(
-           "Actions", "Move the selected step of the sequence one row down if the motions stay free"),
+       .tip =
+           QT_TRANSLATE_NOOP("Actions", "Move the selected step of the sequence one row down if the motions stay free"),
        .place = {"menu.step", 1, 20}},
       {.id = "sequence.lock",
        .text = QT_TRANSLATE_NOOP("Actions", "&Lock the step"),

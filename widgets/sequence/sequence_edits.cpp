@@ -181,8 +181,8 @@ void SequenceEdits::lock(bool locked) {
   const QString name = joinedNames(chosenBodies(), *shown.product);
   std::vector<std::size_t> order(shown.plan->steps.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  sequence_.moveStep({locked ? tr("Lock %1").arg(name) : tr("Unlock %1").arg(name), demands, order,
-                      sequence_.panel()->chosenBody()});
+  sequence_.moveStep(
+      {locked ? tr("Lock %1").arg(name) : tr("Unlock %1").arg(name), demands, order, sequence_.panel()->chosenBody()});
   enableActions();
 }
 
@@ -235,9 +235,7 @@ void SequenceEdits::fillDemandsMenu() {
   };
   for (const DemandedPlace& each : demands.places) {
     const QString names = joinedNames(each.bodies, product);
-    add((each.locked ? tr("%1 is locked as step %2") : tr("%1 is placed as step %2"))
-            .arg(names)
-            .arg(rowOf(each.place)),
+    add((each.locked ? tr("%1 is locked as step %2") : tr("%1 is placed as step %2")).arg(names).arg(rowOf(each.place)),
         removal(&SequenceDemands::places, each));
   }
   for (const DemandedMotion& each : demands.motions) {

@@ -218,7 +218,8 @@ void StepTable::show(const ShownPlan& shown, PlanOrder order) {
 void StepTable::fitColumns() {
   const QSignalBlocker block(this);
   for (int i = 0; i < topLevelItemCount(); ++i) {
-    for (const int column : {StepPart, StepTools}) topLevelItem(i)->setText(column, wholeText(*topLevelItem(i), column));
+    for (const int column : {StepPart, StepTools})
+      topLevelItem(i)->setText(column, wholeText(*topLevelItem(i), column));
   }
   for (const int column : {StepNumber, StepGaps}) resizeColumnToContents(column);
   // The last column takes the remaining width, which says nothing about its contents.
@@ -250,7 +251,8 @@ void StepTable::wrapTexts() {
       for (int line = 0; line < lines.size(); ++line) {
         const bool isName = column == StepPart && line == 0;
         wrapped << (isName ? QStringList(lines[line])
-                           : wrappedLines(lines[line], fontMetrics(), columnWidth(column) - picture - margins, kMostLines));
+                           : wrappedLines(lines[line], fontMetrics(), columnWidth(column) - picture - margins,
+                                          kMostLines));
       }
       row.setText(column, wrapped.join(QLatin1Char('\n')));
     }
@@ -288,8 +290,9 @@ void StepTable::addStep(std::size_t place) {
   const QString motion = QString::fromStdString(words.motion(step, order_));
   const QString work = QString::fromStdString(words.work(step, *shown_.product, order_));
   const QString turn = turnBefore(place);
-  setWrapped(*row, StepPart, twoLines(QString::fromStdString(nameOfStep(step, *shown_.product)),
-                                      turn.isEmpty() ? work : twoLines(turn, work)));
+  setWrapped(*row, StepPart,
+             twoLines(QString::fromStdString(nameOfStep(step, *shown_.product)),
+                      turn.isEmpty() ? work : twoLines(turn, work)));
   QStringList told{allNames(step.bodies()), turn, work, motion};
   told.removeAll(QString());
   told.removeDuplicates();

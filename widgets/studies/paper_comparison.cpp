@@ -58,8 +58,8 @@ QString tableOf(const Study& study, const StudyCell& cell, const SessionSnapshot
     const auto spread = cell.measured.find(column.key);
     if (spread != cell.measured.end()) {
       const std::vector<double>& range = spread->second;
-      cells << PaperComparison::tr("%1 (%2 to %3)")
-                   .arg(numberText(range[1]), numberText(range[0]), numberText(range[2]));
+      cells
+          << PaperComparison::tr("%1 (%2 to %3)").arg(numberText(range[1]), numberText(range[0]), numberText(range[2]));
     } else if (isMeasured) {
       cells << none;
     }

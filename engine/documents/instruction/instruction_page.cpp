@@ -125,10 +125,7 @@ InstructionPage PageMaker::cover() const {
   }
   made.pictures.push_back({{area.x, area.y + head, area.width, area.height - head - kFacts}, std::nullopt});
   const double top = area.bottom() - kFacts + 3.0;
-  made.texts.push_back({{area.x, top, area.width, 8.0},
-                        extentText(instruction_, words_),
-                        kWorkPoints,
-                        true});
+  made.texts.push_back({{area.x, top, area.width, 8.0}, extentText(instruction_, words_), kWorkPoints, true});
   std::string tools;
   for (const std::string& tool : instruction_.tools) tools += (tools.empty() ? "" : " · ") + tool;
   if (!tools.empty()) {

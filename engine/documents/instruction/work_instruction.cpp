@@ -281,11 +281,10 @@ class Instructor {
       if (!opening.tool.held.empty()) {
         const std::string held = supported({opening.tool.held});
         const std::string with = words_.heldWith(opening);
-        const std::string note =
-            with.empty() ? say(GLISSADE_TEXT("Hold %1."), {held})
-            : isHeldWithSecond(opening)
-                ? say(GLISSADE_TEXT("Hold the other %1 with a second %2."), {held, words_.toolName(opening)})
-                : say(GLISSADE_TEXT("Hold %1 (%2)."), {held, with});
+        const std::string note = with.empty()                ? say(GLISSADE_TEXT("Hold %1."), {held})
+                                 : isHeldWithSecond(opening) ? say(GLISSADE_TEXT("Hold the other %1 with a second %2."),
+                                                                   {held, words_.toolName(opening)})
+                                                             : say(GLISSADE_TEXT("Hold %1 (%2)."), {held, with});
         if (said.insert(note).second) panel.notes.push_back(note);
       }
     }
@@ -378,8 +377,8 @@ class Instructor {
     return most;
   }
 
-  /// How far a nut that clamps nothing is turned onto its rod, from where it is assembled: nothing stops it there. Empty
-  /// for other motions.
+  /// How far a nut that clamps nothing is turned onto its rod, from where it is assembled: nothing stops it there.
+  /// Empty for other motions.
   std::string placeOnRod(const StepMotion& motion) {
     for (const StepJoint& joint : motion.joints) {
       const bool isNut = joint.kind == JointKind::Nut || joint.kind == JointKind::Thread;

@@ -40,8 +40,8 @@ std::variant<AssemblyPlan, OrderConflict> moved(const AssemblyPlan& plan, std::s
   for (const BodyId& id : plan.staying) request.staying[product.indexOf(id)] = true;
   request.resumed = &plan;
   request.demands = withStepMoved(from, to, plan, plan.demands);
-  const auto answer = planWithOrder(product, test::fitsOf(product), request,
-                                    orderWithStepMoved(from, to, plan, plan.demands), host);
+  const auto answer =
+      planWithOrder(product, test::fitsOf(product), request, orderWithStepMoved(from, to, plan, plan.demands), host);
   EXPECT_TRUE(answer) << toString(answer.error());
   return *answer;
 }
@@ -113,8 +113,8 @@ TEST(StepOrder, AConstraintKeepsTheOrder) {
   const auto answer = moved(plan, 0, 1, product);
   const auto* conflict = std::get_if<OrderConflict>(&answer);
   ASSERT_NE(conflict, nullptr);
-  EXPECT_EQ(toString(conflict->reason), "a constraint states that '" + order[0].text() + "' is removed before '" +
-                                            order[1].text() + "'");
+  EXPECT_EQ(toString(conflict->reason),
+            "a constraint states that '" + order[0].text() + "' is removed before '" + order[1].text() + "'");
 }
 
 }  // namespace

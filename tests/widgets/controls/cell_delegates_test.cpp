@@ -24,8 +24,9 @@ TEST(WholeWords, LinesAreWrappedBetweenWords) {
   const QString line = QString::fromUtf8("down (−Z), 15.9 mm, then +X, 20 mm");
   const int width = metrics.horizontalAdvance(QString::fromUtf8("down (−Z), 15.9 "));
   EXPECT_EQ(wrappedLines(line, metrics, 10 * width, 3), QStringList(line));
-  EXPECT_EQ(wrappedLines(line, metrics, width, 3),
-            (QStringList{QString::fromUtf8("down (−Z),"), QStringLiteral("15.9 mm, then"), QStringLiteral("+X, 20 mm")}));
+  EXPECT_EQ(
+      wrappedLines(line, metrics, width, 3),
+      (QStringList{QString::fromUtf8("down (−Z),"), QStringLiteral("15.9 mm, then"), QStringLiteral("+X, 20 mm")}));
   EXPECT_EQ(wrappedLines(line, metrics, width, 1), QStringList(line)) << "the last line has the rest";
   EXPECT_EQ(wrappedLines(QStringLiteral("oneverylongwordwithoutblanks"), metrics, 10, 3).size(), 1);
 }
