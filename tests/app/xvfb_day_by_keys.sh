@@ -100,6 +100,8 @@ keys ctrl+alt+m
 sleep 2
 look by-hand
 keys F5
+# The run begins when the hand moves the part.
+xdotool keydown d; sleep 0.3; xdotool keyup d
 saved '"by hand"'
 sleep 1
 saved "$ended"
