@@ -139,19 +139,20 @@ TEST_F(SequenceWindow, WhatStaysIsUndoneAndKeptByTheScenario) {
 TEST_F(SequenceWindow, APersonMovesLocksAndForbidsStepsAndTakesItBack) {
   expectGood(runOnStand(
       QStringLiteral(
-          "action sequence.assembly-order\nplan-sequence all\nmove-step 7 2\nexpect-row 2 bar\nexpect-row 2 "
-          "placed\nexpect-sequence proved 10\nexpect-row 4 cap_left\n"
-          "show-step 3\naction sequence.lock\nexpect-row 3 locked\nexpect-row 2 placed\n"
-          // Its screw holds the cap: the order stays.
-          "action sequence.step-down\nexpect-log clamps\nexpect-row 3 screw_1\nexpect-sequence end complete\n"
-          "action sequence.step-up\nexpect-row 2 locked\nexpect-row 2 screw_1\nexpect-row 3 bar\n"
-          "expect-sequence proved 10\nexport-sequence %1\naction edit.undo\n"
-          "expect-row 3 locked\naction edit.undo\naction edit.undo\nexpect-row 7 bar\n"
-          "expect-sequence end complete\naction edit.redo\nexpect-row 2 bar\naction edit.undo\n"
-          "show-step 10\nexpect-row 10 up\nforbid-direction +z\nexpect-sequence end complete\n"
+          "action sequence.assembly-order\nplan-sequence all\nmove-step 1 3\nexpect-row 3 bar\nexpect-row 3 "
+          "placed\nexpect-sequence proved 10\nexpect-row 4 cap_right\n"
+          "show-step 2\naction sequence.lock\nexpect-row 2 locked\nexpect-row 3 placed\n"
+          "action sequence.step-down\nexpect-row 3 locked\nexpect-row 2 bar\nexpect-sequence proved 10\n"
+          "export-sequence %1\n"
+          // The screw holds the cap: the order stays.
+          "action sequence.step-down\nexpect-log clamps\nexpect-row 3 locked\nexpect-row 4 cap_right\n"
+          "expect-sequence end complete\naction edit.undo\nexpect-row 2 locked\naction edit.undo\n"
+          "action edit.undo\nexpect-row 1 bar\n"
+          "expect-sequence end complete\naction edit.redo\nexpect-row 3 bar\naction edit.undo\n"
+          "show-step 7\nexpect-row 7 up\nforbid-direction +z\nexpect-sequence end complete\n"
           "select-steps 1 2\naction sequence.keep-order\nexpect-sequence steps 10\nset-cost few-tools\n"
           // The document forbids +z. A step of the opened plan leaves so.
-          "expect-sequence steps 10\nsave %2\nopen-sequence %1\nexpect-sequence proved 9\nexpect-row 2 locked\n")
+          "expect-sequence steps 10\nsave %2\nopen-sequence %1\nexpect-sequence proved 9\nexpect-row 3 locked\n")
           .arg(file("plan.json"), file("demands.json"))));
   EXPECT_TRUE(content("demands.json").contains("\"forbidden\""));
   EXPECT_TRUE(content("demands.json").contains("few-tools"));
