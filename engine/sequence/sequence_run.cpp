@@ -145,7 +145,8 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
                      massesOf(request.demands, product)},
                     host.team());
   const JointRules* counting = joints.joints().empty() ? nullptr : &joints;
-  MotionTrial motions(product, fits, request.seed, MotionTrial::kMostSearches, rules->forbidden, counting, &threads);
+  MotionTrial motions(product, fits, request.seed, MotionTrial::kMostSearches, rules->forbidden, counting, &threads,
+                      position.up);
   DemandingTrial trial(motions, *rules, product, request.known, counting);
   std::optional<AssemblyPlan> resumed;
   if (request.resumed != nullptr) resumed = splitStacks(*request.resumed);
