@@ -3608,10 +3608,6 @@
         <translation>Liaisons que le plan respecte&#xa0;: recognised, suggested (aussi celles que l&apos;utilisateur devrait confirmer) ou off (par défaut&#xa0;: celles du scénario, ou recognised)</translation>
     </message>
     <message>
-        <source>Direction of gravity: x y z (default: the scenario&apos;s, or 0 0 -1)</source>
-        <translation>Direction de la pesanteur&#xa0;: x y z (par défaut&#xa0;: celle du scénario, ou 0 0 -1)</translation>
-    </message>
-    <message>
         <source>What a step costs for best-first: fitter, balanced, steady, few-tools, short, fragile-first, as-found, or an expression (default: the scenario&apos;s, or fitter)</source>
         <translation>Coût d&apos;une étape pour best-first&#xa0;: fitter, balanced, steady, few-tools, short, fragile-first, as-found, ou une expression (par défaut&#xa0;: celui du scénario, ou fitter)</translation>
     </message>
@@ -11762,6 +11758,22 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     <message>
         <source>it and &apos;%1&apos; clash where they are assembled (%2), and neither can be cut and stay in one piece: mend the parts</source>
         <translation>elle et «&#xa0;%1&#xa0;» interfèrent à l’état assemblé (%2), et aucune ne peut être découpée et rester d&apos;un seul tenant&#xa0;: corrigez les pièces</translation>
+    </message>
+    <message>
+        <source>Direction of gravity: x y z (default: the scenario&apos;s, or such that the base lies well)</source>
+        <translation>Direction de la pesanteur&#xa0;: x y z (par défaut&#xa0;: celle du scénario, ou telle que la base repose bien)</translation>
+    </message>
+    <message>
+        <source>up, in the file: %1</source>
+        <translation>vers le haut, dans le fichier&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Hold %1 until step %2 is done.</source>
+        <translation>Tenir %1 jusqu’à la fin de l’étape %2.</translation>
+    </message>
+    <message>
+        <source>Then let go of %1.</source>
+        <translation>Lâcher ensuite %1.</translation>
     </message>
 </context>
 <context>
