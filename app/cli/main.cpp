@@ -318,7 +318,7 @@ ParsedCommand addSequence(const ParsedCommand& app, SequenceOptions& options) {
                                 "have to confirm) or off (default: the scenario's, or recognised)"));
   sequence
       .option("--gravity", options.gravity,
-              GLISSADE_TEXT("Direction of gravity: x y z (default: the scenario's, or 0 0 -1)"))
+              GLISSADE_TEXT("Direction of gravity: x y z (default: the scenario's, or such that the base lies well)"))
       ->expected(3);
   sequence.option(
       "--cost", options.cost,

@@ -180,7 +180,7 @@ AccessChecker::Grip AccessChecker::gripOf(const ReachedMotion& motion, const Tri
   if (auto grip = toolGripOf(motion, leaving)) return std::move(*grip);
   Grip grip;
   grip.follow = followOf(motion.moved, middle);
-  grip.question.holds = objectHolds(bodies_W, leaving, search_.shapes());
+  grip.question.holds = objectHolds(bodies_W, leaving, motion.up, search_.shapes());
   grip.question.samples = samplesOf(motion.moved, grip.follow, middle);
   grip.question.gripped = motion.bodies;
   grip.question.pushed = samplesWithin(kPushed, grip.question.samples, middle);
@@ -192,7 +192,8 @@ MotionAccess AccessChecker::of(const ReachedMotion& motion, const StopToken& sto
   const TriangleMesh bodies_W = meshOf(motion.bodies, bodies_.bodies());
   Grip grip = gripOf(motion, bodies_W);
   grip.question.obstacles = motion.others;
-  const std::vector<Vector3> eyes = person_.eye ? std::vector<Vector3>{*person_.eye} : eyesAbout(boundingBox(bodies_W));
+  const std::vector<Vector3> eyes =
+      person_.eye ? std::vector<Vector3>{*person_.eye} : eyesAbout(boundingBox(bodies_W), motion.up);
   const HandAnswer hand = search_.find(grip.question, stop);
   return {hand, grip.follow, grip.tool, sight_.of(bodies_W, eyes, motion.others), std::move(grip.question.samples)};
 }

@@ -26,6 +26,7 @@ struct ReachedMotion {
   /// The bolt that the tool turns while the first body, its nut, is held; the bolt stays. Nothing: the tool turns the
   /// body.
   std::optional<std::size_t> bolt{};
+  Vector3 up = Vector3::UnitZ();  ///< upward direction of the work place, unit
 };
 
 /// Result of a test whether a person's hand has access to a motion, and whether its beginning is visible. It is

@@ -48,18 +48,22 @@ Pose gripFrame(const Vector3& middle, const Vector3& toThumb, const Vector3& int
 /// Rates how natural a hold is: the forearm is on the exit side, and above; the hand is at the middle of the body.
 class Liking {
  public:
-  Liking(const Box3& box, Vector3 leaving)
-      : middle_(box.center()), radius_(std::max(1e-9, 0.5 * box.diagonal().norm())), leaving_(std::move(leaving)) {}
+  Liking(const Box3& box, Vector3 leaving, Vector3 up)
+      : middle_(box.center()),
+        radius_(std::max(1e-9, 0.5 * box.diagonal().norm())),
+        leaving_(std::move(leaving)),
+        up_(std::move(up)) {}
 
   double of(const Pose& X_WG, const HandHold& hold) const {
     const Vector3 elbow = -(hold.X_WH.orientation * (wristBends()[hold.firstBend].orientation * Vector3::UnitZ()));
-    return elbow.dot(leaving_) + 0.3 * elbow.z() - 0.5 * (X_WG.position - middle_).norm() / radius_;
+    return elbow.dot(leaving_) + 0.3 * elbow.dot(up_) - 0.5 * (X_WG.position - middle_).norm() / radius_;
   }
 
  private:
   Vector3 middle_;
   double radius_;
   Vector3 leaving_;
+  Vector3 up_;
 };
 
 /// Number of fingers with room beside each other on the body: four, two or one.
@@ -89,8 +93,9 @@ std::vector<HandHold> inOrder(RatedHolds rated) {
 
 }  // namespace
 
-std::vector<HandHold> objectHolds(const TriangleMesh& object_W, const Vector3& leaving, HandShapes& shapes) {
-  const Liking liking(boundingBox(object_W), leaving);
+std::vector<HandHold> objectHolds(const TriangleMesh& object_W, const Vector3& leaving, const Vector3& up,
+                                  HandShapes& shapes) {
+  const Liking liking(boundingBox(object_W), leaving, up);
   RatedHolds rated;
   const auto add = [&](const Pose& X_WG, double thickness, double tilt) {
     const int fingers = fingersOn(object_W, X_WG, shapes.measures().handBreadth);

@@ -50,27 +50,32 @@ class PlanAsker {
       : product_(product), checker_(checker), count_(count), watch_(watch) {}
 
   /// After a stop, the result contains the steps tested before it.
-  LineAccess ask(const std::vector<AssemblyStep>& steps, const std::vector<SubassemblyLine>& lines, BodySet there) {
+  /// `up`: see AssemblyPlan::up.
+  LineAccess ask(const std::vector<AssemblyStep>& steps, const std::vector<SubassemblyLine>& lines, const Vector3& up,
+                 BodySet there) {
     LineAccess access;
     for (const AssemblyStep& step : steps) {
-      StepAccess found = accessOf(step, there);
+      StepAccess found = accessOf(step, up, there);
       if (watch_.stop.stopRequested()) return access;
       access.steps.push_back(std::move(found));
       watch_.report(static_cast<double>(++asked_) / static_cast<double>(count_));
     }
-    for (const SubassemblyLine& line : lines) access.lines.push_back(ask(line.steps, line.lines, groupOf(line)));
+    for (const SubassemblyLine& line : lines)
+      access.lines.push_back(ask(line.steps, line.lines, line.up, groupOf(line)));
     return access;
   }
 
  private:
   /// Takes the bodies of the step out of `there`.
-  StepAccess accessOf(const AssemblyStep& step, BodySet& there) {
+  StepAccess accessOf(const AssemblyStep& step, const Vector3& up, BodySet& there) {
     std::optional<StepAccess> deciding;
     for (std::size_t i = 0; i < step.motions.size() && !watch_.stop.stopRequested(); ++i) {
       const StepMotion& motion = step.motions[i];
       std::vector<std::size_t> bodies = product_.indicesOf(motion.bodies());
       there = without(std::move(there), bodies);
-      StepAccess found{checker_.of(motionOf(motion, product_, std::move(bodies), there), watch_.stop), i};
+      ReachedMotion reached = motionOf(motion, product_, std::move(bodies), there);
+      reached.up = up;
+      StepAccess found{checker_.of(reached, watch_.stop), i};
       noteTool(motion.tool, product_, found.hand);
       const bool decides =
           deciding && deciding->isReachedAndSeen() && (!found.isReachedAndSeen() || &motion == &step.opening());
@@ -110,7 +115,8 @@ Result<PlanAccess> planAccess(const AssembledProduct& product, const AssemblyPla
                               const WorkWatch& watch) {
   AccessChecker checker(product.bodies, person);
   PlanAsker asker(product, checker, stepsIn(plan.steps, plan.lines), watch);
-  PlanAccess access{asker.ask(plan.steps, plan.lines, BodySet(product.bodies.size(), true)), person, checker.forearm()};
+  const BodySet all(product.bodies.size(), true);
+  PlanAccess access{asker.ask(plan.steps, plan.lines, plan.up, all), person, checker.forearm()};
   if (watch.stop.stopRequested()) return interrupted();
   return access;
 }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "engine/access/surface_points.h"
+#include "engine/geometry/least_rotation.h"
 #include "engine/geometry/segment_box.h"
 
 namespace glissade {
@@ -19,15 +20,16 @@ constexpr double kBefore = 1.0 - 1e-4;
 
 }  // namespace
 
-std::vector<Vector3> eyesAbout(const Box3& place) {
+std::vector<Vector3> eyesAbout(const Box3& place, const Vector3& up) {
   const double distance = kViewing + 0.5 * place.diagonal().norm();
-  std::vector<Vector3> eyes{place.center() + distance * Vector3::UnitZ()};
+  const Quaternion upright = leastRotation(Vector3::UnitZ(), up);
+  std::vector<Vector3> eyes{place.center() + distance * up};
   for (const double elevation : kElevations) {
     for (int i = 0; i < kAzimuths; ++i) {
       const double azimuth = 2.0 * std::numbers::pi * i / kAzimuths;
       const Vector3 way(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
                         std::sin(elevation));
-      eyes.push_back(place.center() + distance * way);
+      eyes.push_back(place.center() + distance * (upright * way));
     }
   }
   return eyes;

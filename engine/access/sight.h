@@ -20,8 +20,8 @@ struct SightAnswer {
   bool isSeen() const { return share >= kLeastSeen; }
 };
 
-/// Eyes half a metre from the place, in 17 directions at and above the horizon.
-std::vector<Vector3> eyesAbout(const Box3& place);
+/// Eyes half a metre from the place, in 17 directions at and above the horizon. `up`: unit.
+std::vector<Vector3> eyesAbout(const Box3& place, const Vector3& up);
 
 /// Lines of sight among bodies. Each mesh is prepared once. Used by one thread.
 class Sight {

@@ -150,7 +150,7 @@ std::vector<Line> linesIn(const JsonCursor& at, std::uint64_t version) {
   const auto list = at.find("lines");
   for (std::size_t i = 0; list && i < list->sizeUpTo(limits::kMostBodies); ++i) {
     const JsonCursor line = list->element(i);
-    line.allowOnly({"step", "bodies", "staying", "steps", "stuck", "lines"});
+    line.allowOnly({"step", "bodies", "staying", "up", "steps", "stuck", "lines"});
     lines.push_back({static_cast<std::size_t>(line.at("step").wholeNumber()), idsOf(line.at("bodies")),
                      idsOf(line.at("staying")), readSteps(line.at("steps"), version), linesIn(line, version)});
   }
@@ -158,10 +158,9 @@ std::vector<Line> linesIn(const JsonCursor& at, std::uint64_t version) {
 }
 
 Plan planIn(const JsonCursor& at) {
-  at.allowOnly({"format",       "version", "program",  "product",         "strategy", "seed",
-                "deflection_m", "parts",   "removed",  "apart",           "end",      "certified",
-                "bodies",       "staying", "steps",    "stuck",           "refusals", "waiting",
-                "sequence",     "lines",   "isolated", "accepted_clashes"});
+  at.allowOnly({"format",   "version", "program",  "product",   "strategy", "seed",    "deflection_m",    "parts",
+                "removed",  "apart",   "end",      "certified", "bodies",   "staying", "steps",           "stuck",
+                "refusals", "waiting", "sequence", "lines",     "isolated", "up",      "accepted_clashes"});
   if (at.at("format").text() != kPlanFormatName) at.at("format").fail(GLISSADE_TEXT("is not \"glissade-plan\""));
   const std::uint64_t version = at.at("version").wholeNumber();
   if (version != 1 && version != 2)

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "engine/sequence/easier_motions.h"
 #include "engine/sequence/floating_units.h"
 #include "engine/sequence/greedy_strategy.h"
 #include "engine/sequence/holding.h"
@@ -24,15 +25,11 @@ namespace {
 
 /// Directions with a larger cosine count as the same direction.
 constexpr double kSameWay = 0.98;
-/// A direction counts as upwards or downwards if the sine of its slope is at least this.
-constexpr double kUpright = 0.7;
 /// Limit where support is checked: each step of each state may then need a linear program.
 constexpr std::size_t kExpansionsWithStanding = 200;
 constexpr std::size_t kMostOrderExpansions = 2000;
 /// Half the cost of a change of direction. An order that costs less by a smaller amount is not worth a change.
 constexpr double kLeastGain = 0.5;
-/// Least reduction of a slide for which a step gets another motion, as a share of the size of its bodies.
-constexpr double kWorthwhileSlide = 0.1;
 /// Number of times that floating units are looked for in a new order.
 constexpr int kMostLifts = 3;
 /// Number of bodies up to which the full limits of expansions hold.
@@ -59,12 +56,6 @@ double assemblyChangeOf(const std::vector<std::size_t>& one, const std::vector<s
   const auto [end, unused] = std::mismatch(
       one.begin(), one.begin() + static_cast<std::ptrdiff_t>(std::min(one.size(), other.size())), other.begin());
   return 1.0 - static_cast<double>(end - one.begin()) / static_cast<double>(most);
-}
-
-/// 1: upwards; -1: downwards; 0: sideways.
-double sideOf(const Vector3& way, const Vector3& up) {
-  const double slope = way.dot(up);
-  return std::abs(slope) < kUpright ? 0.0 : std::copysign(1.0, slope);
 }
 
 class Reordering {
@@ -186,12 +177,12 @@ class Reordering {
     return figures;
   }
 
-  double sideOf(std::size_t step) const { return glissade::sideOf(ways_[step], question_.up); }
+  int senseOf(std::size_t step) const { return glissade::senseOf(ways_[step], question_.up); }
 
   /// Adds what changes after the step `last`.
   void addChanges(StepFigures& figures, std::size_t step, const std::size_t* last) const {
     figures.directionChange = last == nullptr || ways_[step].dot(ways_[*last]) < kSameWay;
-    figures.turnOver = last == nullptr ? 0.0 : 0.5 * std::abs(sideOf(step) - sideOf(*last));
+    figures.turnOver = last == nullptr ? 0.0 : 0.5 * std::abs(senseOf(step) - senseOf(*last));
     figures.toolChange = last == nullptr || usesAnotherTool(plan_.steps[step].only(), plan_.steps[*last].only());
     figures.taskChange = last == nullptr || tasks_[step] == 0 || tasks_[step] != tasks_[*last];
     figures.assemblyChange = last == nullptr ? 0.0 : assemblyChangeOf(assemblies_[step], assemblies_[*last]);
@@ -284,46 +275,6 @@ void putInOrder(AssemblyPlan& plan, const SequenceQuestion& question, const Stop
   }
 }
 
-/// The displacements of a motion.
-std::vector<Vector3> displacementsOf(const std::vector<PathPoint>& path) {
-  std::vector<Vector3> ways;
-  for (std::size_t i = 1; i < path.size(); ++i) ways.push_back(path[i].q.position - path[i - 1].q.position);
-  return ways;
-}
-
-/// Gives steps another straight motion where, at their place in the order, the body slides less along what it touches.
-/// A part was pushed out sideways while another one lay on it, and is lifted off where that one has left before. True
-/// if a motion has changed.
-bool takeShorterSlides(AssemblyPlan& plan, const SequenceQuestion& question, const StopToken& stop) {
-  if (question.fits == nullptr) return false;
-  std::vector<Box3> boxes;
-  for (const RigidBody& body : question.product.bodies) boxes.push_back(boundingBox(*body.mesh, body.X_WB));
-  const auto slideOn = [&](const BodyGroup& group, const std::vector<PathPoint>& path, const BodySet& others) {
-    return slideOf(group, displacementsOf(path), others, *question.fits, [&](std::size_t body) { return boxes[body]; });
-  };
-  bool changed = false;
-  BodySet present = question.initial();
-  for (std::size_t i = 0; i < plan.steps.size() && !stop.stopRequested(); ++i) {
-    StepMotion& motion = plan.steps[i].only();
-    const BodyGroup group = groupOf(motion, question.product);
-    const BodySet others = without(present, group);
-    const double slide = slideOn(group, motion.path, others);
-    const double least = kWorthwhileSlide * boxes[group.front()].diagonal().norm();
-    if (motion.certified && motion.method != kTurned && motion.method != kByHand && slide > least) {
-      const RemovalAnswer answer = question.trial.tryRemoval(group, present, 0, stop);
-      const auto* removed = std::get_if<Removed>(&answer);
-      if (removed != nullptr && slideOn(group, removed->path.points, others) < slide - least) {
-        const std::vector<BodyId> falling = motion.falling;
-        motion = makeMotion(group, *removed, question, present, i);
-        motion.falling = falling;
-        changed = true;
-      }
-    }
-    present = others;
-  }
-  return changed;
-}
-
 }  // namespace
 
 AssemblyPlan BestFirstStrategy::plan(const SequenceQuestion& question, SequenceHost& host) {
@@ -336,7 +287,7 @@ AssemblyPlan BestFirstStrategy::plan(const SequenceQuestion& question, SequenceH
     addPrecedence(plan, question, host);
     putInOrder(plan, question, stop);
   }
-  if (!takeShorterSlides(plan, question, stop)) return plan;
+  if (!takeEasierMotions(plan, question, stop)) return plan;
   addPrecedence(plan, question, host);
   putInOrder(plan, question, stop);
   return plan;

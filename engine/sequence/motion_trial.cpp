@@ -23,13 +23,14 @@ constexpr double kToolClearance = 1e-5;
 }  // namespace
 
 MotionTrial::MotionTrial(const AssembledProduct& product, const ProductFits& fits, std::uint64_t seed, int searches,
-                         MotionWorlds::Forbidden forbidden, const JointRules* joints, const ThreadDemands* threads)
+                         MotionWorlds::Forbidden forbidden, const JointRules* joints, const ThreadDemands* threads,
+                         const Vector3& up)
     : product_(product),
       fits_(fits),
       bodies_(product.bodies.size()),
       searches_(searches),
       worlds_(product, fits, std::move(forbidden)),
-      straight_(product, fits, worlds_, threads),
+      straight_(product, fits, worlds_, threads, up),
       turned_(fits, worlds_),
       joints_(joints),
       threads_(threads),

@@ -22,7 +22,7 @@ class MotionTrial final : public RemovalTrial {
   /// `threads`: no motion pulls them; null: there are none.
   MotionTrial(const AssembledProduct& product, const ProductFits& fits, std::uint64_t seed,
               int searches = kMostSearches, MotionWorlds::Forbidden forbidden = {}, const JointRules* joints = nullptr,
-              const ThreadDemands* threads = nullptr);
+              const ThreadDemands* threads = nullptr, const Vector3& up = Vector3::UnitZ());
 
   int efforts() const override { return 1 + searches_; }
   RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, int effort, const StopToken& stop) override;

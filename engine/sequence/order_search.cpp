@@ -308,7 +308,7 @@ class RunMover {
   }
 
   static constexpr std::size_t kMostMoved = 12;
-  static constexpr std::size_t kMostAsked = 120000;
+  static constexpr std::size_t kMostAsked = 50000;
 
   const OrderQuestion& question_;
   const StopToken& stop_;

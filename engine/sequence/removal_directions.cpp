@@ -13,6 +13,8 @@ constexpr std::size_t kFaces = 6;
 constexpr double kAlike = 1.0 - 1e-9;
 /// Share of the body's radius.
 constexpr double kMargin = 0.05;
+/// A direction is upwards or downwards if the sine of its slope is at least this.
+constexpr double kUpright = 0.7;
 
 }  // namespace
 
@@ -41,6 +43,12 @@ std::vector<Vector3> removalDirections(const AssembledProduct& product, const Pr
   const RigidBody& own = product.bodies[body];
   for (const Vector3& normal_B : largestFaceNormals(*own.mesh, kFaces)) addBoth(exact(own.X_WB.orientation * normal_B));
   return directions;
+}
+
+int senseOf(const Vector3& direction, const Vector3& up) {
+  const double slope = direction.dot(up);
+  if (std::abs(slope) < kUpright) return 0;
+  return slope > 0.0 ? 1 : -1;
 }
 
 double leavingMargin(double radius) { return kMargin * radius; }

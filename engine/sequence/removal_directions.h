@@ -13,6 +13,10 @@ namespace glissade {
 /// (Wilson and Latombe 1994).
 std::vector<Vector3> removalDirections(const AssembledProduct& product, const ProductFits& fits, std::size_t body);
 
+/// 1: the direction is upwards; -1: downwards; 0: sideways. Both are unit vectors; the slope of an upward direction is
+/// at least 45 degrees.
+int senseOf(const Vector3& direction, const Vector3& up);
+
 /// Distance from the box of the other bodies at which a leaving object of this radius ends, metres.
 double leavingMargin(double radius);
 

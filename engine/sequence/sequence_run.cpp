@@ -136,7 +136,8 @@ Outcome ask(const AssembledProduct& product, const ProductFits& fits, const Sequ
                      massesOf(request.demands, product)},
                     host.team());
   const JointRules* counting = joints.joints().empty() ? nullptr : &joints;
-  MotionTrial motions(product, fits, request.seed, MotionTrial::kMostSearches, rules->forbidden, counting, &threads);
+  MotionTrial motions(product, fits, request.seed, MotionTrial::kMostSearches, rules->forbidden, counting, &threads,
+                      position.up);
   DemandingTrial trial(motions, *rules, product, request.known, counting);
   answer(SequenceQuestion{product,
                           staying,

@@ -69,12 +69,9 @@ std::optional<RuleType> typeOfAttribute(const std::string& name, const std::map<
 
 std::vector<StepCostPreset> stepCostPresets() {
   return {{"fitter", GLISSADE_TEXT("As a fitter would"),
-           "30 * in_air + 3 * isolated_left + 20 * tool_blocked + 10 * falling + unsupported + 2 * unfastened + 4 * "
-           "open_stacks + 4 "
-           "* task_change + 4 * "
-           "assembly_change + 2 * tool_change + "
-           "4 * turn_over + direction_change + "
-           "2 * distance + 4 * size * early - 4 * fragile * early"},
+           "30 * in_air + 3 * isolated_left + 20 * tool_blocked + 15 * open_stacks + 10 * falling + unsupported"
+           " + 2 * unfastened + 4 * task_change + 4 * assembly_change + 4 * turn_over + 2 * tool_change"
+           " + direction_change + 2 * distance + 4 * size * early - 4 * fragile * early"},
           {"balanced", GLISSADE_TEXT("Balanced"), "length + direction_change + tool_change + 10 * falling"},
           {"steady", GLISSADE_TEXT("Steady"), "100 * falling + 0.1 * (length + direction_change + tool_change)"},
           {"few-tools", GLISSADE_TEXT("Few changes of tools"),

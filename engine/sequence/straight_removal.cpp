@@ -18,8 +18,8 @@ constexpr double kSameSlide = 0.05;
 }  // namespace
 
 StraightRemoval::StraightRemoval(const AssembledProduct& product, const ProductFits& fits, MotionWorlds& worlds,
-                                 const ThreadDemands* threads)
-    : product_(product), fits_(fits), worlds_(worlds), threads_(threads), lines_(product.bodies.size()) {}
+                                 const ThreadDemands* threads, const Vector3& up)
+    : product_(product), fits_(fits), worlds_(worlds), threads_(threads), up_(up), lines_(product.bodies.size()) {}
 
 void StraightRemoval::learn(const BodyGroup& group, const std::vector<PathPoint>& path) {
   if (path.size() != 2 || path.front().q.orientation.coeffs() != path.back().q.orientation.coeffs()) return;
@@ -56,19 +56,24 @@ RemovalAnswer StraightRemoval::tryRemoval(const BodyGroup& group, const BodySet&
   return Refused{{blocking.begin(), blocking.end()}, false};
 }
 
-/// Sorts by the length on which the group slides along the bodies of `others` that it fits with, the shortest first.
+/// Sorts by the length on which the group slides along the bodies of `others` that it fits with, the shortest first. Of
+/// equal lengths, downward directions come last: in assembly they are brought from below.
 void StraightRemoval::sortBySlide(const BodyGroup& group, const BodySet& others, std::vector<Vector3>& directions) {
   double size = 0.0;
   for (const std::size_t body : group) size = std::max(size, worlds_.boxOf(body).diagonal().norm());
   const auto boxOf = [&](std::size_t body) { return worlds_.boxOf(body); };
-  std::vector<std::pair<long long, Vector3>> sorted;
+  struct Ranked {
+    std::pair<long long, bool> rank;  ///< length of the slide, downward
+    Vector3 direction;
+  };
+  std::vector<Ranked> sorted;
   for (const Vector3& direction : directions) {
     const double slide = slideOf(group, {lineAlong(group.front(), direction).way}, others, fits_, boxOf);
-    sorted.emplace_back(std::llround(slide / (kSameSlide * size)), direction);
+    sorted.push_back({{std::llround(slide / (kSameSlide * size)), senseOf(direction, up_) < 0}, direction});
   }
   std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const auto& one, const auto& other) { return one.first < other.first; });
-  std::transform(sorted.begin(), sorted.end(), directions.begin(), [](const auto& each) { return each.second; });
+                   [](const Ranked& one, const Ranked& other) { return one.rank < other.rank; });
+  std::transform(sorted.begin(), sorted.end(), directions.begin(), [](const Ranked& each) { return each.direction; });
 }
 
 std::vector<BodyGroup> StraightRemoval::groups(const GroupQuestion& question,

@@ -20,9 +20,10 @@ namespace glissade {
 /// 1994).
 class StraightRemoval {
  public:
-  /// Refers to all arguments. `threads`: no line pulls them; null: there are none.
+  /// Refers to all arguments but `up`, the upward direction of the work place, unit. `threads`: no line pulls them;
+  /// null: there are none.
   StraightRemoval(const AssembledProduct& product, const ProductFits& fits, MotionWorlds& worlds,
-                  const ThreadDemands* threads);
+                  const ThreadDemands* threads, const Vector3& up);
 
   /// See RemovalTrial::tryRemoval(). The answer is the free line on which the group slides least along what it touches.
   RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, const StopToken& stop);
@@ -68,6 +69,7 @@ class StraightRemoval {
   const ProductFits& fits_;
   MotionWorlds& worlds_;
   const ThreadDemands* threads_;
+  Vector3 up_;
   std::vector<Lines> lines_;            ///< one entry for each body
   std::map<MeshPtr, Vector3> learned_;  ///< last exit direction of each mesh, in the body's frame
 };

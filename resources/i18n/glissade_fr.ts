@@ -3608,10 +3608,6 @@
         <translation>Liaisons que le plan respecte&#xa0;: recognised, suggested (aussi celles que l&apos;utilisateur devrait confirmer) ou off (par défaut&#xa0;: celles du scénario, ou recognised)</translation>
     </message>
     <message>
-        <source>Direction of gravity: x y z (default: the scenario&apos;s, or 0 0 -1)</source>
-        <translation>Direction de la pesanteur&#xa0;: x y z (par défaut&#xa0;: celle du scénario, ou 0 0 -1)</translation>
-    </message>
-    <message>
         <source>What a step costs for best-first: fitter, balanced, steady, few-tools, short, fragile-first, as-found, or an expression (default: the scenario&apos;s, or fitter)</source>
         <translation>Coût d&apos;une étape pour best-first&#xa0;: fitter, balanced, steady, few-tools, short, fragile-first, as-found, ou une expression (par défaut&#xa0;: celui du scénario, ou fitter)</translation>
     </message>
@@ -11825,11 +11821,15 @@ Codes de retour&#xa0;: 0 identiques, ou toutes les étapes sont valables&#xa0;; 
     </message>
     <message>
         <source>up, in the file: %1</source>
-        <translation>haut, dans le fichier&#xa0;: %1</translation>
+        <translation>vers le haut, dans le fichier&#xa0;: %1</translation>
     </message>
     <message>
         <source>Hold %1 until step %2 is done.</source>
-        <translation>Tenir %1 jusqu&apos;à la fin de l&apos;étape %2.</translation>
+        <translation>Tenir %1 jusqu’à la fin de l’étape %2.</translation>
+    </message>
+    <message>
+        <source>Direction of gravity: x y z (default: the scenario&apos;s, or such that the base lies well)</source>
+        <translation>Direction de la pesanteur&#xa0;: x y z (par défaut&#xa0;: celle du scénario, ou telle que la base repose bien)</translation>
     </message>
     <message>
         <source>Then let go of %1.</source>

@@ -82,7 +82,7 @@ TEST(MotionAccess, FclFindsEveryHoldBlockedWhereNoneIsFree) {
   HandShapes shapes(HandSize::Average);
   const TriangleMesh pin = transformed(*bodies.front().mesh, bodies.front().X_WB);
   const std::vector<RigidBody> others = withoutFirst(bodies);
-  const std::vector<HandHold> holds = objectHolds(pin, Vector3::UnitZ(), shapes);
+  const std::vector<HandHold> holds = objectHolds(pin, Vector3::UnitZ(), Vector3::UnitZ(), shapes);
   ASSERT_GT(holds.size(), 50U);
   std::size_t asked = 0;
   for (std::size_t i = 0; i < holds.size(); i += holds.size() / 40) {

@@ -23,7 +23,7 @@ TEST(Sight, TheBestEyeCounts) {
   const TriangleMesh place = makeBox({0.02, 0.02, 0.02});
   const std::vector<RigidBody> bodies{boxBody("lid", {0.1, 0.1, 0.01}, Pose::translation({0.0, 0.0, 0.02}))};
   Sight sight(bodies);
-  const SightAnswer best = sight.of(place, eyesAbout(boundingBox(place)), {0});
+  const SightAnswer best = sight.of(place, eyesAbout(boundingBox(place), Vector3::UnitZ()), {0});
   EXPECT_TRUE(best.isSeen());
   EXPECT_LT(best.eye.z(), 0.4) << "not from above";
 }
@@ -41,7 +41,7 @@ TEST(Sight, NothingIsSeenInAClosedBox) {
     }
   }
   Sight sight(walls);
-  EXPECT_EQ(sight.of(place, eyesAbout(boundingBox(place)), {0, 1, 2, 3, 4, 5}).share, 0.0);
+  EXPECT_EQ(sight.of(place, eyesAbout(boundingBox(place), Vector3::UnitZ()), {0, 1, 2, 3, 4, 5}).share, 0.0);
 }
 
 }  // namespace

@@ -59,5 +59,27 @@ TEST(ShortSlides, APartIsLiftedOffWhereWhatLayOnItHasLeft) {
   EXPECT_EQ(plan->steps.back().after, std::vector<std::size_t>{1}) << "the cover is in its way";
 }
 
+/// A peg in a hole through a table leaves downwards while a cover is on it. In the order of the plan the cover leaves
+/// first, and the peg is brought from above.
+TEST(ShortSlides, APartIsBroughtFromAboveWhereTheWayIsAsLong) {
+  const AssembledProduct product =
+      test::productOf({test::bodyOf("table", {{{1.0, 0.45, 0.1}, {0.0, -0.275, 0.0}},
+                                              {{1.0, 0.45, 0.1}, {0.0, 0.275, 0.0}},
+                                              {{0.45, 1.0, 0.1}, {-0.275, 0.0, 0.0}},
+                                              {{0.45, 1.0, 0.1}, {0.275, 0.0, 0.0}}}),
+                       boxBody("peg", {0.1, 0.1, 0.1}, Pose::identity()),
+                       boxBody("cover", {0.6, 0.6, 0.05}, Pose::translation({0.0, 0.0, 0.075}))},
+                      true);
+  test::QuietHost host;
+  SequenceRequest request;
+  request.staying = {true, false, false};
+  request.demands.gravity = -Vector3::UnitZ();
+  request.demands.before = {{"cover", "peg"}};
+  const auto plan = planSequence(product, test::fitsOf(product), request, host);
+  ASSERT_TRUE(plan) << toString(plan.error());
+  EXPECT_EQ(test::orderOf(*plan), (std::vector<BodyId>{"cover", "peg"}));
+  EXPECT_GT(exitDirection(plan->steps.back().only().path).z(), 0.999);
+}
+
 }  // namespace
 }  // namespace glissade
