@@ -205,8 +205,8 @@ TEST_F(SequenceWindow, AGroupIsMovedByHandAndItsPathComesBack) {
                      .arg(block("left", "0"), block("right", "0.15"))
                      .toUtf8());
   scenario.close();
-  expectGood(run(file("group.json"), QStringLiteral("plan-sequence all\nexpect-sequence steps 2\nexpect-row 2 right\n"
-                                                    "show-step 2\naction sequence.by-hand\n"
+  expectGood(run(file("group.json"), QStringLiteral("plan-sequence all\nexpect-sequence steps 2\nexpect-row 1 right\n"
+                                                    "show-step 1\naction sequence.by-hand\n"
                                                     "expect-sequence end none\naction run.start\n"
                                                     "wait solved 20000\nsteps 1\nexpect-sequence end complete\n"
                                                     "expect-sequence steps 2\nexport-sequence %1\n")
