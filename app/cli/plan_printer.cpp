@@ -122,7 +122,8 @@ std::string axisInWords(const Vector3& direction) {
   int axis = 0;
   const double most = direction.cwiseAbs().maxCoeff(&axis);
   if (most > 1.0 - 1e-6) return std::string(1, direction[axis] > 0.0 ? '+' : '-') + kAxes[axis];
-  return rounded(direction.x()) + " " + rounded(direction.y()) + " " + rounded(direction.z());
+  const Vector3 digits = (1000.0 * direction).array().round() / 1000.0 + 0.0;
+  return rounded(digits.x()) + " " + rounded(digits.y()) + " " + rounded(digits.z());
 }
 
 /// The number of screws in bodies that have no hole for them in the file.

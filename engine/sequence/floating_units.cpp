@@ -126,6 +126,8 @@ bool liftFloatingUnits(AssemblyPlan& plan, const SequenceQuestion& question, Seq
   auto steps = UnitLifter(plan, question, host).run();
   if (!steps) return false;
   plan.steps = std::move(*steps);
+  plan.refusals.clear();  // they name numbers of steps that there are no longer
+  plan.waiting.clear();
   return true;
 }
 

@@ -149,11 +149,17 @@ class Instructor {
   using PlaceById = std::map<BodyId, std::size_t>;
 
   /// For each body that does not stand by itself when it is brought: the place in the order of assembly of the step
-  /// that supports it.
+  /// that supports it. Screws and nuts are not held by hand.
   static PlaceById placesOfSupport(const std::vector<AssemblyStep>& steps) {
     PlaceById places;
     for (std::size_t i = 0; i < steps.size(); ++i) {
       for (const BodyId& id : steps[i].falling()) places.try_emplace(id, steps.size() - 1 - i);
+    }
+    for (const AssemblyStep& step : steps) {
+      for (const StepMotion& motion : step.motions) {
+        const bool isHeldByItsThread = motion.fastener == FastenerKind::Screw || motion.fastener == FastenerKind::Nut;
+        if (isHeldByItsThread) places.erase(motion.body);
+      }
     }
     return places;
   }
@@ -178,7 +184,7 @@ class Instructor {
     std::set<BodyId> said;
     for (const AssemblyStep& step : panel.steps) {
       for (const BodyId& id : step.falling()) {
-        if (!said.insert(id).second) continue;
+        if (standsFrom.count(id) == 0 || !said.insert(id).second) continue;
         const bool isOfBase = std::find(base.begin(), base.end(), id) != base.end();
         const bool isThere = std::find(panel.present.begin(), panel.present.end(), id) != panel.present.end();
         (isThere && !isOfBase ? brought : others).push_back(id);

@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "engine/files/judged_product.h"
+#include "engine/files/plan_file.h"
 #include "engine/sequence/sequence_run.h"
 #include "tests/engine/sequence/products.h"
 
@@ -25,7 +28,8 @@ AssembledProduct motorInATub() {
 Result<AssemblyPlan> onATable(const AssembledProduct& product) {
   test::QuietHost host;
   SequenceRequest request;
-  request.staying = {true, false, false, false};
+  request.staying.assign(product.bodies.size(), false);
+  request.staying[0] = true;
   return planSequence(product, test::fitsOf(product), request, host);
 }
 
@@ -40,6 +44,26 @@ TEST(FloatingUnits, WhatHangsOnAPartComesTogetherWithIt) {
   EXPECT_EQ(plan->lines[0].steps.size(), 1U);
   EXPECT_TRUE(plan->lines[0].stuck.empty());
   EXPECT_TRUE(judgePlan(*plan, product, std::nullopt, {}).valid());
+}
+
+/// A block in a closed room below the table stays. Searches that found no motion of it name numbers of steps; the plan
+/// is read back.
+TEST(FloatingUnits, APlanWithAStuckPartIsSavedAndRead) {
+  AssembledProduct product = motorInATub();
+  product.bodies[0] = test::bodyOf("table", {{{1.0, 1.0, 0.1}, {0.0, 0.0, -0.05}},
+                                             {{0.2, 0.2, 0.02}, {-0.3, -0.3, -0.29}},
+                                             {{0.02, 0.2, 0.25}, {-0.39, -0.3, -0.2}},
+                                             {{0.02, 0.2, 0.25}, {-0.21, -0.3, -0.2}},
+                                             {{0.2, 0.02, 0.25}, {-0.3, -0.39, -0.2}},
+                                             {{0.2, 0.02, 0.25}, {-0.3, -0.21, -0.2}}});
+  product.bodies.push_back(boxBody("block", {0.05, 0.05, 0.05}, Pose::translation({-0.3, -0.3, -0.25})));
+  const auto plan = onATable(test::productOf(product.bodies, true));
+  ASSERT_TRUE(plan) << toString(plan.error());
+  ASSERT_EQ(plan->steps.size(), 2U);
+  ASSERT_EQ(plan->stuck.size(), 1U);
+  EXPECT_EQ(plan->stuck[0].body, "block");
+  const auto read = parsePlan(planJson(*plan, "product.step").dump(), "plan.json");
+  EXPECT_TRUE(read) << toString(read.error());
 }
 
 /// A part that can leave alone while its carrier is there leaves before it.
