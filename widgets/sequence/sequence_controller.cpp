@@ -4,7 +4,6 @@
 #include <QScopedValueRollback>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "engine/documents/plan_graph.h"

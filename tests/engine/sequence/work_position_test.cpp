@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "tests/engine/sequence/products.h"
 
 namespace glissade {
@@ -33,7 +35,7 @@ WorkPosition positionOf(const AssembledProduct& product, const std::vector<Conta
                         std::optional<Vector3> up = {}, const Joints& joints = {},
                         const std::vector<FastenerKind>& fasteners = {}) {
   const LiaisonGraph graph(product.bodies.size(), contacts, {});
-  return workPosition({product, graph, joints, fasteners, BodySet(product.bodies.size(), true), {}, up});
+  return workPosition({product, graph, joints, fasteners, BodySet(product.bodies.size(), true), {}, std::move(up)});
 }
 
 /// The product, turned about the origin.

@@ -301,7 +301,7 @@ TEST(InstructionWords, ASentenceHasTheVerbOfTheJoint) {
 
 TEST(InstructionWords, TurnsOfTheProductAreSaid) {
   const DocumentWords english;
-  const auto turn = [&](Viewpoint from, Viewpoint to) { return turnSentence(from, to, english); };
+  const auto turn = [&](const Viewpoint& from, const Viewpoint& to) { return turnSentence(from, to, english); };
   EXPECT_EQ(turn({0, false}, {0, false}), "");
   EXPECT_EQ(turn({0, false}, {0, true}), "Turn the product over.");
   EXPECT_EQ(turn({0, false}, {1, false}), "Turn the product to the left.");
