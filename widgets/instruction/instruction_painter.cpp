@@ -38,8 +38,9 @@ class PagePainter {
   void paint(const InstructionPage& page) {
     for (const PagePicture& picture : page.pictures) {
       const QSize pixels = picturePixels(picture.rect);
-      painter_.drawImage(dots(picture.rect), picture.panel ? drawer_.panel(instruction_.panels[*picture.panel], pixels)
-                                                           : drawer_.finished(instruction_.bodies, pixels));
+      painter_.drawImage(dots(picture.rect), picture.panel
+                                                 ? drawer_.panel(instruction_.panels[*picture.panel], pixels)
+                                                 : drawer_.finished(instruction_.bodies, pixels, instruction_.up));
     }
     for (const PagePart& part : page.parts) {
       painter_.drawImage(dots(part.rect), drawer_.parts(part.bodies, picturePixels(part.rect)));
@@ -132,7 +133,7 @@ SaveResult writeInstructionPdf(const WorkInstruction& instruction, const Instruc
 InstructionPictures instructionPictures(const WorkInstruction& instruction, const StepDrawer& drawer,
                                         const WorkWatch& watch) {
   InstructionPictures pictures;
-  pictures.finished = pngOf(drawer.finished(instruction.bodies, kScreenPicture));
+  pictures.finished = pngOf(drawer.finished(instruction.bodies, kScreenPicture, instruction.up));
   const auto addPart = [&](const std::vector<BodyId>& bodies) {
     std::string& picture = pictures.parts[bodies];
     if (picture.empty()) picture = pngOf(drawer.parts(bodies, kScreenPart));

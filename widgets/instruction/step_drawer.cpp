@@ -376,8 +376,8 @@ QImage StepDrawer::panel(const InstructionPanel& panel, const QSize& pixels) con
   return PanelPicture(panel, product_, pixels).draw();
 }
 
-QImage StepDrawer::drawn(const std::vector<DrawnBody>& bodies, const QSize& pixels) const {
-  const Viewpoint from;
+QImage StepDrawer::drawn(const std::vector<DrawnBody>& bodies, const QSize& pixels, const Vector3& up) const {
+  const Viewpoint from{0, false, up};
   Projection projection(from.toEye(), from.up());
   Box3 box_V;
   for (const DrawnBody& each : bodies) box_V.extend(projection.boxOf(*each.mesh, each.X_WB));
@@ -386,12 +386,12 @@ QImage StepDrawer::drawn(const std::vector<DrawnBody>& bodies, const QSize& pixe
   return lineDrawing(bodies, projection, pixels);
 }
 
-QImage StepDrawer::finished(const std::vector<BodyId>& bodies, const QSize& pixels) const {
+QImage StepDrawer::finished(const std::vector<BodyId>& bodies, const QSize& pixels, const Vector3& up) const {
   std::vector<DrawnBody> all;
   for (const BodyId& id : bodies) {
     all.push_back({body(id).mesh, body(id).X_WB, softened(body(id).colour), kComingLine});
   }
-  return drawn(all, pixels);
+  return drawn(all, pixels, up);
 }
 
 QImage StepDrawer::parts(const std::vector<BodyId>& bodies, const QSize& pixels) const {

@@ -16,8 +16,8 @@ class StepDrawer {
   /// Draws present parts pale and the coming ones on their way, with arrows. A close-up is in a corner if the panel
   /// requests one.
   QImage panel(const InstructionPanel& panel, const QSize& pixels) const;
-  /// Draws the bodies at their assembled poses, in their colours.
-  QImage finished(const std::vector<BodyId>& bodies, const QSize& pixels) const;
+  /// Draws the bodies at their assembled poses, in their colours. `up`: see AssemblyPlan::up.
+  QImage finished(const std::vector<BodyId>& bodies, const QSize& pixels, const Vector3& up = Vector3::UnitZ()) const;
   /// Draws the parts to be fetched.
   QImage parts(const std::vector<BodyId>& bodies, const QSize& pixels) const;
   /// Draws the whole product. Each body is at `moved` times its assembled pose.
@@ -25,7 +25,7 @@ class StepDrawer {
 
  private:
   const RigidBody& body(const BodyId& id) const { return product_.body(id); }
-  QImage drawn(const std::vector<DrawnBody>& bodies, const QSize& pixels) const;
+  QImage drawn(const std::vector<DrawnBody>& bodies, const QSize& pixels, const Vector3& up = Vector3::UnitZ()) const;
 
   const AssembledProduct& product_;
 };

@@ -44,6 +44,7 @@ class Instructor {
     made_.language = words_.words().language();
     made_.title = heading.title;
     made_.imprint = heading.imprint;
+    made_.up = plan_.up;
     made_.steps = plan_.steps.size();
     made_.base = plan_.staying.size();
     made_.bodies = idsOf(product_.bodies);

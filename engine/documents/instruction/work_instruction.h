@@ -47,6 +47,7 @@ struct WorkInstruction {
   std::vector<PartsListRow> parts;
   std::vector<std::string> tools;  ///< without duplicates
   std::vector<InstructionPanel> panels;
+  Vector3 up = Vector3::UnitZ();  ///< AssemblyPlan::up
 };
 
 /// Title page of an instruction: statements about the product that the plan does not make.

@@ -111,6 +111,8 @@ TEST(StepDrawer, PicturesHaveTheirSize) {
   const StepDrawer drawer(made.product);
   EXPECT_EQ(drawer.finished(made.plan.bodies, kPixels).size(), kPixels);
   EXPECT_EQ(drawer.parts({"block0"}, {64, 64}).size(), QSize(64, 64));
+  EXPECT_NE(drawer.finished(made.plan.bodies, kPixels, Vector3::UnitY()), drawer.finished(made.plan.bodies, kPixels))
+      << "the product lies as it does at the work place";
   EXPECT_EQ(drawer.exploded(std::vector<Pose>(3), kPixels), drawer.finished(made.plan.bodies, kPixels));
 }
 
