@@ -122,6 +122,7 @@ std::string axisInWords(const Vector3& direction) {
   int axis = 0;
   const double most = direction.cwiseAbs().maxCoeff(&axis);
   if (most > 1.0 - 1e-6) return std::string(1, direction[axis] > 0.0 ? '+' : '-') + kAxes[axis];
+  // Adding zero makes 0 of -0.
   const Vector3 digits = (1000.0 * direction).array().round() / 1000.0 + 0.0;
   return rounded(digits.x()) + " " + rounded(digits.y()) + " " + rounded(digits.z());
 }

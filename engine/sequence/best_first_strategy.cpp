@@ -221,14 +221,15 @@ class Reordering {
 
   void addSlowFigures(std::size_t step, const std::vector<bool>& done, SetFigures& figures) {
     const BodySet present = presentAfter(done);
+    const BodySet rest = without(present, groups_[step]);
     if (question_.standing != nullptr && cost_.uses("falling")) {
       figures.falling = static_cast<double>(question_.standing->newlyFalling(present, groups_[step]).size());
     }
     if (question_.standing != nullptr && cost_.uses("unsupported")) {
-      figures.unsupported = static_cast<double>(question_.standing->falling(without(present, groups_[step])).size());
+      figures.unsupported = static_cast<double>(question_.standing->falling(rest).size());
     }
     if (tools_) {
-      const auto tool = tools_->toolOf(step, without(present, groups_[step]), stop_);
+      const auto tool = tools_->toolOf(step, rest, stop_);
       figures.toolBlocked = tool && tool->access == ToolAccess::Blocked;
     }
     figures.isWhole = true;

@@ -28,10 +28,9 @@ class UnitLifter {
   std::optional<std::vector<AssemblyStep>> run() {
     BodySet present = question_.initial();
     bool lifted = false;
-    for (std::size_t place = 0; place < steps_.size() && !stop_.stopRequested();) {
+    for (std::size_t place = 0; place < steps_.size() && !stop_.stopRequested(); ++place) {
       if (liftAt(place, present)) lifted = true;
       present = without(present, groupOf(steps_[place].step, question_.product));
-      ++place;
     }
     if (!lifted) return std::nullopt;
     for (ProvedStep& each : steps_) each.step.after.clear();

@@ -19,8 +19,9 @@ std::vector<ProvedStep> provedSteps(const AssemblyPlan& plan, const SequenceQues
 std::vector<ProvedStep> provedSteps(const AssemblyPlan& plan, const std::vector<std::size_t>& order,
                                     const SequenceQuestion& question);
 
-/// The steps in this order, each certified against the bodies that are there then; nothing if one is not certified,
-/// which is then the one at the place `refused`, if that is given. `after` of each step has to count in this order.
+/// The steps in this order, each certified against the bodies that are there then; nothing if one is not certified.
+/// `after` of each step has to count in this order. `refused`: receives the place of the step that is not certified;
+/// null: it is not asked for.
 std::optional<std::vector<AssemblyStep>> certifiedInOrder(std::vector<ProvedStep> steps,
                                                           const SequenceQuestion& question, const StopToken& stop,
                                                           std::size_t* refused = nullptr);

@@ -133,16 +133,18 @@ class PositionChoice {
     BodyGroup candidates;
     for (const auto& [body, placed] : placed_) candidates.push_back(body);
     if (!fixed.empty()) candidates = fixed;
-    for (const UpDirection& direction : question_.up ? stated(*question_.up) : axes()) ask(direction, candidates);
-    if (!question_.up) askSlantedPlanesOf(std::move(candidates));
+    if (question_.up) {
+      ask({question_.up->normalized(), 1.0}, candidates);
+    } else {
+      for (const UpDirection& direction : axes()) ask(direction, candidates);
+      askSlantedPlanesOf(std::move(candidates));
+    }
     return best_;
   }
 
  private:
   /// Touches another body; no fastener; worth; size.
   using Rank = std::tuple<bool, bool, double, double>;
-
-  static std::vector<UpDirection> stated(const Vector3& up) { return {{up.normalized(), 1.0}}; }
 
   void readJoints() {
     mayBeBase_.assign(question_.product.bodies.size(), true);
@@ -214,12 +216,13 @@ class PositionChoice {
 
   /// Share of the other bodies, by the volumes of their boxes, whose centre is above that of the body.
   double shareAbove(std::size_t body, const Vector3& up) const {
+    const Vector3 centre = placed_.at(body).box.center();
     double above = 0.0;
     double all = 0.0;
     for (const auto& [other, placed] : placed_) {
       if (other == body) continue;
       all += placed.boxVolume;
-      if (up.dot(placed.box.center() - placed_.at(body).box.center()) > 0.0) above += placed.boxVolume;
+      if (up.dot(placed.box.center() - centre) > 0.0) above += placed.boxVolume;
     }
     return all > 0.0 ? above / all : 1.0;
   }

@@ -28,7 +28,7 @@ class PaperComparison final : public QObject {
   void compared(const QString& html);
 
  private:
-  /// What a row is about.
+  /// The scenario, the run and the settings that choose the shown rows.
   struct Compared {
     std::string scenarioFile{};
     std::uint64_t run = 0;  ///< the run whose numbers are shown; 0: none has a path
